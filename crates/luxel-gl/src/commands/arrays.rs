@@ -323,9 +323,20 @@ impl Context {
         fetched
     }
 
+    /// Whether arrays are to be drawn between `glBegin` and `glEnd`: an error, that a list keeps as a draw of nothing.
+    fn is_drawn_within_begin(&mut self) -> bool {
+        let within = self.is_within_begin();
+        if within && self.is_compiling() {
+            self.compile(Command::Draw(Arc::default()));
+        }
+        within
+    }
+
     /// `glDrawArrays`.
     pub fn draw_arrays(&mut self, mode: u32, first: i32, count: i32, memory: &dyn ClientMemory) {
-        outside_begin!(self);
+        if self.is_drawn_within_begin() {
+            return;
+        }
         demand!(self, mode <= gl::POLYGON, gl::INVALID_ENUM);
         demand!(self, first >= 0 && count >= 0, gl::INVALID_VALUE);
         let vertices = Wanted::Range { first: first as usize, count: count as usize };
@@ -359,7 +370,9 @@ impl Context {
         indices: usize,
         memory: &dyn ClientMemory,
     ) {
-        outside_begin!(self);
+        if self.is_drawn_within_begin() {
+            return;
+        }
         demand!(self, mode <= gl::POLYGON, gl::INVALID_ENUM);
         demand!(self, count >= 0, gl::INVALID_VALUE);
         let is_type =
@@ -417,7 +430,6 @@ impl Context {
         indices: usize,
         memory: &dyn ClientMemory,
     ) {
-        outside_begin!(self);
         demand!(self, start <= end, gl::INVALID_VALUE);
         self.draw_elements(mode, count, data_type, indices, memory);
     }

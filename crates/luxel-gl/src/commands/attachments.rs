@@ -34,10 +34,7 @@ impl Context {
             Attachment::Texture { texture, face, level, .. } => {
                 let texture = locked(texture);
                 let image = texture.image(*face, *level)?;
-                let format = image.format;
-                let depth = format.is_depth().then(|| format.depth_kind());
-                let (color, stencil) = (depth.is_none(), format.stencil);
-                let planes = Planes { color, alpha: color && format.has_alpha(), depth, stencil };
+                let planes = Planes::of_texels(image.format);
                 Some(ImageKind { size: [image.size[0], image.size[1]], planes, samples: 1 })
             }
         }
@@ -181,7 +178,8 @@ fn load_colors(image: &TextureImage, layer: u32) -> Option<Plane<u32>> {
     for y in 0..size[1] {
         let first = image.index([0, y, layer]);
         for x in 0..size[0] {
-            let color = image.get(first + x as usize).map(|value| (value * 255.0 + 0.5) as u8);
+            let texel = image.format.base.returned(image.get(first + x as usize), 0.0, 1.0);
+            let color = texel.map(|value| (value * 255.0 + 0.5) as u8);
             colors.set([x, y], 0, u32::from_le_bytes(color));
         }
     }

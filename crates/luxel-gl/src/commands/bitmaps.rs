@@ -11,6 +11,10 @@ use crate::vertex::Processed;
 use luxel_pick::{Feedback, FeedbackVertex};
 use std::sync::Arc;
 
+/// What the transform in `f32` may take from a raster position that lies on a pixel's edge, in pixels: it must not
+/// move the bitmap to the pixel before.
+const RASTER_ERROR: f32 = 1e-4;
+
 impl Context {
     /// Bytes that `glBitmap` reads.
     #[must_use]
@@ -29,7 +33,7 @@ impl Context {
         bits: Option<&[u8]>,
     ) {
         let sides = [width, height].map(|side| usize::try_from(side).ok());
-        let (Some(sides), true) = (sides[0].zip(sides[1]), !self.is_within_begin()) else {
+        let Some(sides) = sides[0].zip(sides[1]) else {
             self.error.set(gl::INVALID_VALUE);
             return;
         };
@@ -61,7 +65,8 @@ impl Context {
         let scale = self.window_scale();
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let raster = &self.state.current.raster;
-        let corner = [0, 1].map(|axis: usize| (raster.window[axis] - call.origin[axis]).floor());
+        let corner = [0, 1]
+            .map(|axis: usize| (raster.window[axis] + RASTER_ERROR - call.origin[axis]).floor());
         demand!(self, corner.iter().all(|at| at.abs() < 1e6), gl::NO_ERROR);
         let depth = scale.kind.kept(raster.window[2].into());
         let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());

@@ -109,8 +109,8 @@ impl Context {
         }
         let [depth, stencil] = self.has_depth_and_stencil();
         let textures = self.texture_stages();
-        let (alpha, samples) = (self.has_alpha(), self.framebuffer.samples() > 1);
-        let buffers = Buffers { alpha, depth, stencil, samples };
+        let (color, samples) = (self.color_format(), self.framebuffer.samples() > 1);
+        let buffers = Buffers { color, depth, stencil, samples };
         let pipeline = Pipeline::new(&self.state, buffers, region, self.color_bits(), textures);
         let area = self.state.viewport.area;
         let viewport = [area.x, area.y, area.x + area.width, area.y + area.height];

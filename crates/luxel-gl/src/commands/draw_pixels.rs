@@ -7,12 +7,13 @@ use crate::enums as gl;
 use crate::objects::image_calls::{DrawPixels, WithPixels};
 use crate::objects::list::Command;
 use crate::pixels::format::{Components, PixelFormat};
-use crate::pixels::unpack::ImageLayout;
+use crate::pixels::unpack::{ImageLayout, image_bytes, without_bits};
 use crate::raster::{Batch, ImagePixels, PlacedImage};
 use crate::state::pixel::PixelStore;
 use crate::state::transfer::Transfer;
 use crate::vertex::Processed;
 use luxel_pick::{Feedback, FeedbackVertex};
+use std::borrow::Cow;
 
 impl DrawPixels {
     /// Sides and format; or the error that the specification has for the arguments.
@@ -21,7 +22,7 @@ impl DrawPixels {
         let (Ok(width), Ok(height)) = (usize::try_from(width), usize::try_from(height)) else {
             return Err(gl::INVALID_VALUE);
         };
-        Ok(([width, height], PixelFormat::named(self.format, self.data_type)?))
+        Ok(([width, height], PixelFormat::of_source(self.format, self.data_type)?))
     }
 }
 
@@ -38,7 +39,7 @@ impl Context {
     pub fn draw_pixels_bytes(&self, size: [i32; 2], format: u32, data_type: u32) -> usize {
         match (DrawPixels { size, format, data_type }).checked() {
             Ok(([width, height], kind)) => {
-                ImageLayout::new(&self.client.unpack, [width, height, 1], kind, 2).end
+                image_bytes(&self.client.unpack, [width, height, 1], (kind, data_type), 2)
             }
             Err(_) => 0,
         }
@@ -49,15 +50,32 @@ impl Context {
     /// whole isn't drawn.
     pub fn draw_pixels(&mut self, size: [i32; 2], format: u32, data_type: u32, pixels: &[u8]) {
         let call = DrawPixels { size, format, data_type };
-        let store = self.client.unpack;
+        let Some((call, store, pixels)) = self.without_bits(call, pixels) else {
+            return self.error.set(gl::OUT_OF_MEMORY);
+        };
         if self.is_compiling() {
             let pixels = call.checked().ok().map(|([width, height], kind)| {
-                ImageLayout::new(&store, [width, height, 1], kind, 2).tight(pixels)
+                ImageLayout::new(&store, [width, height, 1], kind, 2).tight(&pixels)
             });
             let kept = WithPixels { call, swap: store.swap_bytes, pixels };
             compile!(self, Command::DrawPixels(Box::new(kept)));
         }
-        self.draw_image(&call, pixels, &store);
+        self.draw_image(&call, &pixels, &store);
+    }
+
+    /// The call with bytes in the place of bits, and how they are stored.
+    fn without_bits<'b>(
+        &self,
+        call: DrawPixels,
+        pixels: &'b [u8],
+    ) -> Option<(DrawPixels, PixelStore, Cow<'b, [u8]>)> {
+        let Ok(([width, height], _)) = call.checked() else {
+            return Some((call, self.client.unpack, Cow::Borrowed(&[])));
+        };
+        let size = [width, height, 1];
+        let (store, data_type, pixels) =
+            without_bits(&self.client.unpack, size, call.data_type, pixels)?;
+        Some((DrawPixels { data_type, ..call }, store, pixels))
     }
 
     /// Carries out what a list kept.
@@ -96,12 +114,16 @@ impl Context {
         let transfer = self.transfer();
         layout.each_row(bytes, |_, row| {
             for pixel in row.chunks_exact(pixel_bytes) {
-                let index = if kind.components == Components::Stencil {
-                    kind.read_index(swap, pixel)
-                } else {
-                    0
+                let index = match kind.components {
+                    Components::Stencil | Components::Index => kind.read_index(swap, pixel),
+                    _ => 0,
                 };
-                pixels.push(&transfer, kind.read(swap, pixel), index);
+                match &mut pixels {
+                    ImagePixels::Colors(colors) if kind.components == Components::Index => {
+                        colors.push(transfer.indexed(index).map(unit));
+                    }
+                    _ => pixels.push(&transfer, kind.read(swap, pixel), index),
+                }
             }
         });
         let window = self.state.current.raster.window;

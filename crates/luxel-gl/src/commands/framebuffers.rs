@@ -10,8 +10,7 @@ use crate::depth::DepthKind;
 use crate::enums as gl;
 use crate::objects::framebuffer::{Attachment, COLOR, DEPTH, STENCIL, attachments_named};
 use crate::raster::Framebuffer;
-use crate::texture::{ImageTarget, locked};
-use crate::values::Values;
+use crate::texture::{BaseFormat, ImageTarget, locked};
 
 impl Context {
     /// Whether the framebuffer that is drawn to has depths and stencil values.
@@ -23,13 +22,18 @@ impl Context {
         }
     }
 
-    /// Whether colours of the framebuffer that is drawn to have alphas of their own.
-    pub(crate) fn has_alpha(&self) -> bool {
+    /// Which components colours of the framebuffer that is drawn to have.
+    pub(crate) fn color_format(&self) -> BaseFormat {
         let Some(object) = self.framebuffers.get(self.framebuffers.draw) else {
-            return self.configuration.alpha;
+            return if self.configuration.alpha { BaseFormat::Rgba } else { BaseFormat::Rgb };
         };
         let kind = object.attachments[COLOR].as_ref().and_then(|image| self.image_kind(image));
-        kind.is_none_or(|kind| kind.planes.alpha)
+        kind.and_then(|kind| kind.planes.color).unwrap_or(BaseFormat::Rgba)
+    }
+
+    /// Whether those have alphas of their own.
+    pub(crate) fn has_alpha(&self) -> bool {
+        self.color_format().present()[3]
     }
 
     /// Sets an error if what is bound for drawing can't be drawn to.
@@ -58,7 +62,7 @@ impl Context {
             let Some(ImageKind { size, planes, samples }) = self.image_kind(attachment) else {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
             };
-            let fits = [planes.color, planes.depth.is_some(), planes.stencil][place];
+            let fits = [planes.color.is_some(), planes.depth.is_some(), planes.stencil][place];
             if !fits || size.contains(&0) {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
             }
@@ -268,55 +272,6 @@ impl Context {
         self.attach(target, attachment, Some(attached));
     }
 
-    /// `glGetFramebufferAttachmentParameter`.
-    pub fn get_framebuffer_attachment_parameter(
-        &mut self,
-        target: u32,
-        attachment: u32,
-        pname: u32,
-    ) -> Option<Values> {
-        outside_begin!(self, None);
-        let places = attachments_named(attachment);
-        let (Some(bound), Some(places)) = (self.framebuffers.bound(target), places) else {
-            self.error.set(gl::INVALID_ENUM);
-            return None;
-        };
-        let Some(object) = self.framebuffers.get(bound) else {
-            self.error.set(gl::INVALID_OPERATION);
-            return None;
-        };
-        let image = object.attachments[places[0]].as_ref();
-        let (kind, name) = image.map_or((gl::NONE, 0), Attachment::object);
-        let of_texture = match image {
-            Some(Attachment::Texture { texture, face, level, layer, .. }) => {
-                let is_cube = locked(texture).target.faces() > 1;
-                let face = if is_cube { gl::TEXTURE_CUBE_MAP_POSITIVE_X + *face as u32 } else { 0 };
-                Some((*level, face, *layer))
-            }
-            _ => None,
-        };
-        let found = match (pname, of_texture) {
-            (gl::FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, _) => Some(Values::name(kind)),
-            (gl::FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, _) if kind != gl::NONE => {
-                Some(Values::name(name))
-            }
-            (gl::FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, Some((level, ..))) => {
-                Some(Values::count(level))
-            }
-            (gl::FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE, Some((_, face, _))) => {
-                Some(Values::name(face))
-            }
-            (gl::FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER, Some((.., layer))) => {
-                Some(Values::name(layer))
-            }
-            _ => None,
-        };
-        if found.is_none() {
-            self.error.set(gl::INVALID_ENUM);
-        }
-        found
-    }
-
     /// `glBlitFramebuffer`: copies a rectangle, given by two corners each, stretched and mirrored as they say. Depth and
     /// stencil by the nearest pixel, colour also linearly.
     pub fn blit_framebuffer(
@@ -346,12 +301,20 @@ impl Context {
         let as_large = (0..2).all(|axis| side(source, axis) == side(destination, axis));
         let has_samples = self.reads_samples() || self.framebuffer.samples() > 1;
         demand!(self, as_large || !has_samples, gl::INVALID_OPERATION);
+        let opaque = !self.with_read_framebuffer(|context| context.has_alpha());
         self.with_read_planes(mask, |context, from| {
             context.carry_out();
             let region = context.scissored_region();
             context.drawn = true;
             let corners = (source, destination);
-            context.framebuffer.blit(from, corners, mask, filter == gl::LINEAR, region);
+            let present = context.color_format().present();
+            let adapt = |mut color: [u8; 4]| {
+                if opaque {
+                    color[3] = 255;
+                }
+                std::array::from_fn(|at| if present[at] { color[at] } else { 0 })
+            };
+            context.framebuffer.blit(from, corners, mask, (filter == gl::LINEAR, &adapt), region);
         });
     }
 

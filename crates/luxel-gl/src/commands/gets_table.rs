@@ -341,8 +341,10 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::MAX_EVAL_ORDER => Values::integer(EVALUATOR_ORDER),
         gl::NUM_COMPRESSED_TEXTURE_FORMATS => Values::integer(0),
         gl::COMPRESSED_TEXTURE_FORMATS => Values::none(),
-        gl::RED_BITS | gl::GREEN_BITS | gl::BLUE_BITS => Values::integer(8),
-        gl::ALPHA_BITS => Values::integer(if context.has_alpha() { 8 } else { 0 }),
+        gl::RED_BITS..=gl::ALPHA_BITS => {
+            let there = context.color_format().present()[(pname - gl::RED_BITS) as usize];
+            Values::integer(if there { 8 } else { 0 })
+        }
         gl::INDEX_BITS | gl::AUX_BUFFERS => Values::integer(0),
         gl::SAMPLES => Values::count(samples),
         gl::SAMPLE_BUFFERS => Values::integer(i32::from(samples > 0)),

@@ -16,17 +16,10 @@ fn as_name(value: f32) -> u32 {
     value as u32
 }
 
-/// A parameter's name, if as many values as it has are given; else no name at all, for which the command sets
-/// `GL_INVALID_ENUM`: `glLightf` with a colour, say.
-pub(super) fn given(pname: u32, params: &[f32], count: usize) -> u32 {
-    if params.len() < count { 0 } else { pname }
-}
-
 impl Context {
     /// `glLight`. Positions are transformed by the modelview matrix of now, directions of spots by its upper left
     /// part.
     pub fn light(&mut self, light: u32, pname: u32, params: &[f32]) {
-        let pname = given(pname, params, lengths::light(pname));
         compile!(self, Command::Light(light, pname, first_values(params)));
         outside_begin!(self);
         let number = light.wrapping_sub(gl::LIGHT0) as usize;
@@ -94,7 +87,6 @@ impl Context {
 
     /// `glLightModel`.
     pub fn light_model(&mut self, pname: u32, params: &[f32]) {
-        let pname = given(pname, params, lengths::light_model(pname));
         compile!(self, Command::LightModel(pname, first_values(params)));
         outside_begin!(self);
         let values: [f32; 4] = first_values(params);
@@ -115,7 +107,6 @@ impl Context {
 
     /// `glMaterial`, also between vertices. A property that the current colour drives stays as it is.
     pub fn material(&mut self, face: u32, pname: u32, params: &[f32]) {
-        let pname = given(pname, params, lengths::material(pname));
         compile!(self, Command::Material(face, pname, first_values(params)));
         if self.stream.is_waiting() {
             self.draw_waiting();
@@ -187,7 +178,6 @@ impl Context {
 
     /// `glFog`.
     pub fn fog(&mut self, pname: u32, params: &[f32]) {
-        let pname = given(pname, params, lengths::fog(pname));
         compile!(self, Command::Fog(pname, first_values(params)));
         outside_begin!(self);
         let values: [f32; 4] = first_values(params);

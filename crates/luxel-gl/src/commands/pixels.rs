@@ -201,6 +201,8 @@ impl Context {
                 let [r, g, b, a] = color();
                 values = [(r + g + b).min(1.0), a, 0.0, 0.0];
             }
+            // Colours have no indices, which `readable` refuses.
+            Components::Index => {}
             Components::Depth => values[0] = unit(transfer.depth(self.framebuffer.unit_depth(at))),
             Components::Stencil => {
                 let value = transfer.stencil(i32::from(self.framebuffer.stencil(at)));
@@ -312,9 +314,14 @@ impl Context {
         ]
     }
 
-    /// The bits of colours that masks let through.
+    /// The bits of colours that masks let through: of components that the framebuffer lacks none, so that they stay 0,
+    /// but of alphas, which nobody reads then.
     pub(crate) fn color_bits(&self) -> u32 {
-        let bytes = self.state.color.mask.map(|on| if on { 0xff } else { 0 });
-        u32::from_le_bytes(bytes)
+        let [r, g, b, _] = self.color_format().present();
+        let there = [r, g, b, true];
+        let mask = self.state.color.mask;
+        u32::from_le_bytes(
+            [0, 1, 2, 3].map(|at: usize| if mask[at] && there[at] { 0xff } else { 0 }),
+        )
     }
 }

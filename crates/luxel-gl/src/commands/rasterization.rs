@@ -1,10 +1,8 @@
 //! State of points, lines and polygons (OpenGL 1.5, sections 3.3 to 3.5).
 
-use super::lighting::given;
 use crate::Context;
 use crate::context::{compile, demand, first_values, outside_begin};
 use crate::enums as gl;
-use crate::lengths;
 use crate::objects::list::Command;
 use crate::pixels::store::{read_stipple, stipple_bytes, write_stipple};
 
@@ -100,7 +98,6 @@ impl Context {
 
     /// `glPointParameter`.
     pub fn point_parameter(&mut self, pname: u32, params: &[f32]) {
-        let pname = given(pname, params, lengths::point_parameter(pname));
         compile!(self, Command::PointParameter(pname, first_values(params)));
         outside_begin!(self);
         let values: [f32; 3] = first_values(params);

@@ -2,7 +2,6 @@
 
 use crate::Context;
 use crate::context::{demand, outside_begin};
-use crate::depth::DepthKind;
 use crate::enums as gl;
 use crate::limits::{MOST_SAMPLES, VIEWPORT};
 use crate::objects::framebuffer::Attachment;
@@ -98,8 +97,7 @@ impl Context {
         }
         let name = self.framebuffers.renderbuffer;
         let found = self.renderbuffers().get(name).map(|of| {
-            let bits = |there: bool, bits: i32| Some(Values::integer(if there { bits } else { 0 }));
-            let planes = of.planes;
+            let bits = of.planes.component_bits();
             match pname {
                 gl::RENDERBUFFER_WIDTH => Some(Values::name(of.size[0])),
                 gl::RENDERBUFFER_HEIGHT => Some(Values::name(of.size[1])),
@@ -107,14 +105,9 @@ impl Context {
                     Some(Values::name(if of.format == 0 { gl::RGBA } else { of.format }))
                 }
                 gl::RENDERBUFFER_SAMPLES => Some(Values::count(of.samples)),
-                gl::RENDERBUFFER_RED_SIZE
-                | gl::RENDERBUFFER_GREEN_SIZE
-                | gl::RENDERBUFFER_BLUE_SIZE => bits(planes.color, 8),
-                gl::RENDERBUFFER_ALPHA_SIZE => bits(planes.alpha, 8),
-                gl::RENDERBUFFER_DEPTH_SIZE => {
-                    Some(Values::count(planes.depth.map_or(0, DepthKind::bits)))
+                gl::RENDERBUFFER_RED_SIZE..=gl::RENDERBUFFER_STENCIL_SIZE => {
+                    Some(Values::count(bits[(pname - gl::RENDERBUFFER_RED_SIZE) as usize]))
                 }
-                gl::RENDERBUFFER_STENCIL_SIZE => bits(planes.stencil, 8),
                 _ => None,
             }
         });

@@ -1,10 +1,8 @@
 //! Texture environments and generated coordinates: `glTexEnv`, `glTexGen` (OpenGL 1.5, sections 2.10.4 and 3.8.13).
 
-use super::lighting::given;
 use crate::Context;
 use crate::context::{compile, demand, first_values, outside_begin};
 use crate::enums as gl;
-use crate::lengths;
 use crate::limits::TEXTURE_UNITS;
 use crate::objects::list::Command;
 use crate::state::texture_unit::Environment;
@@ -69,7 +67,6 @@ fn set(environment: &mut Environment, pname: u32, values: &[f32]) -> Result<(), 
 impl Context {
     /// `glTexEnv`: of the active unit; `GL_TEXTURE_FILTER_CONTROL` has its bias of levels.
     pub fn tex_env(&mut self, target: u32, pname: u32, values: &[f32]) {
-        let pname = given(pname, values, lengths::tex_env(pname));
         compile!(self, Command::TexEnv(target, pname, first_values(values)));
         outside_begin!(self);
         demand!(self, !values.is_empty(), gl::INVALID_ENUM);
@@ -88,7 +85,6 @@ impl Context {
     /// `glTexGen`: of `GL_S`, `GL_T`, `GL_R` or `GL_Q` of the active unit. A plane in eye coordinates is given in those
     /// of the modelview matrix of this moment.
     pub fn tex_gen(&mut self, coordinate: u32, pname: u32, values: &[f32]) {
-        let pname = given(pname, values, lengths::tex_gen(pname));
         compile!(self, Command::TexGen(coordinate, pname, first_values(values)));
         outside_begin!(self);
         let axis = coordinate.wrapping_sub(gl::S) as usize;

@@ -6,11 +6,12 @@ use crate::enums as gl;
 use crate::objects::image_calls::{TexImage, TexSubImage, WithPixels};
 use crate::objects::list::Command;
 use crate::pixels::format::{Components, PixelFormat};
-use crate::pixels::unpack::ImageLayout;
+use crate::pixels::unpack::{ImageLayout, image_bytes, without_bits};
 use crate::state::pixel::PixelStore;
 use crate::state::transfer::Transfer;
 use crate::texture::object::ImageTarget;
 use crate::texture::{InternalFormat, Target, Texels, TextureHandle, TextureImage, locked};
+use std::borrow::Cow;
 
 /// A target of an image of so many dimensions.
 fn image_target(dimensions: usize, name: u32) -> Result<ImageTarget, u32> {
@@ -58,7 +59,7 @@ impl TexImage {
 
 /// A format of pixels that become texels.
 fn texel_format(format: u32, data_type: u32) -> Result<PixelFormat, u32> {
-    let kind = PixelFormat::named(format, data_type)?;
+    let kind = PixelFormat::of_source(format, data_type)?;
     if kind.components == Components::Stencil { Err(gl::INVALID_ENUM) } else { Ok(kind) }
 }
 
@@ -91,7 +92,11 @@ fn fill(
             }
             _ => {
                 for (x, pixel) in pixels.enumerate() {
-                    image.put(first + x, transfer.values(kind.read(swap, pixel), is_depth));
+                    let values = match kind.components {
+                        Components::Index => transfer.indexed(kind.read_index(swap, pixel)),
+                        _ => transfer.values(kind.read(swap, pixel), is_depth),
+                    };
+                    image.put(first + x, values);
                 }
             }
         }
@@ -119,7 +124,7 @@ impl Context {
             TexImage { dimensions, target, level, internal, size, border, format, data_type };
         match call.checked() {
             Ok((image, .., kind)) if !image.proxy => {
-                ImageLayout::new(&self.client.unpack, sides(size), kind, dimensions).end
+                image_bytes(&self.client.unpack, sides(size), (kind, data_type), dimensions)
             }
             _ => 0,
         }
@@ -150,7 +155,7 @@ impl Context {
         };
         match texel_format(format, data_type) {
             Ok(kind) if reads => {
-                ImageLayout::new(&self.client.unpack, sides(size), kind, dimensions).end
+                image_bytes(&self.client.unpack, sides(size), (kind, data_type), dimensions)
             }
             _ => 0,
         }
@@ -219,8 +224,19 @@ impl Context {
         );
     }
 
-    fn tex_image(&mut self, call: TexImage, pixels: Option<&[u8]>) {
-        let store = self.client.unpack;
+    fn tex_image(&mut self, mut call: TexImage, pixels: Option<&[u8]>) {
+        let mut store = self.client.unpack;
+        let bytes;
+        let mut pixels = pixels;
+        if call.data_type == gl::BITMAP && call.checked().is_ok() {
+            let given = pixels.unwrap_or_default();
+            let Some(unpacked) = without_bits(&store, sides(call.size), call.data_type, given)
+            else {
+                return self.error.set(gl::OUT_OF_MEMORY);
+            };
+            (store, call.data_type, bytes) = unpacked;
+            pixels = pixels.map(|_| &*bytes);
+        }
         // Proxies aren't compiled (section 5.4).
         let is_proxy = ImageTarget::named(call.target).is_some_and(|image| image.proxy);
         if self.is_compiling() && !is_proxy {
@@ -337,17 +353,24 @@ impl Context {
         pixels: &[u8],
     ) {
         let dimensions = dimensions as usize;
+        let store = &self.client.unpack;
+        let unpacked = match texel_format(format, data_type) {
+            Ok(_) => without_bits(store, sides(size), data_type, pixels),
+            Err(_) => Some((*store, data_type, Cow::Borrowed(pixels))),
+        };
+        let Some((store, data_type, pixels)) = unpacked else {
+            return self.error.set(gl::OUT_OF_MEMORY);
+        };
         let call = TexSubImage { dimensions, target, level, offset, size, format, data_type };
-        let store = self.client.unpack;
         if self.is_compiling() {
             let kept = texel_format(format, data_type).ok().map(|kind| {
                 let layout = ImageLayout::new(&store, sides(size), kind, dimensions);
-                layout.tight(pixels)
+                layout.tight(&pixels)
             });
             let kept = WithPixels { call, swap: store.swap_bytes, pixels: kept };
             compile!(self, Command::TexSubImage(Box::new(kept)));
         }
-        self.replace(&call, pixels, &store);
+        self.replace(&call, &pixels, &store);
     }
 
     /// Carries out what a list kept.

@@ -1,11 +1,9 @@
 //! `glTexParameter` (OpenGL 1.5, section 3.8.4, table 3.19).
 
 use super::fragments::unit;
-use super::lighting::given;
 use crate::Context;
 use crate::context::{compile, demand, first_values, outside_begin};
 use crate::enums as gl;
-use crate::lengths;
 use crate::objects::list::Command;
 use crate::texture::{Parameters, Target, locked};
 
@@ -74,7 +72,6 @@ fn set(parameters: &mut Parameters, pname: u32, values: &[f32]) -> Result<(), u3
 impl Context {
     /// `glTexParameter`: of the texture that is bound to a target of the active unit.
     pub fn tex_parameter(&mut self, target: u32, pname: u32, values: &[f32]) {
-        let pname = given(pname, values, lengths::tex_parameter(pname));
         compile!(self, Command::TexParameter(target, pname, first_values(values)));
         outside_begin!(self);
         let Some(target) = Target::named(target) else {

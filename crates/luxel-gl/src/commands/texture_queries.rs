@@ -7,7 +7,7 @@ use crate::enums as gl;
 use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::unpack::ImageLayout;
 use crate::texture::object::ImageTarget;
-use crate::texture::{BaseFormat, Parameters, Target, TextureImage, locked};
+use crate::texture::{Parameters, Target, TextureImage, locked};
 use crate::values::Values;
 use std::sync::Arc;
 
@@ -54,20 +54,13 @@ fn level_parameter(image: Option<&TextureImage>, pname: u32) -> Option<Values> {
         gl::TEXTURE_INTENSITY_SIZE => Values::name(bits[5]),
         gl::TEXTURE_DEPTH_SIZE => Values::name(bits[6]),
         gl::TEXTURE_COMPRESSED => Values::boolean(false),
+        gl::TEXTURE_STENCIL_SIZE => {
+            Values::integer(if image.is_some_and(|image| image.format.stencil) { 8 } else { 0 })
+        }
+        // Of formats with an exponent for all (EXT_texture_shared_exponent), which none has.
+        gl::TEXTURE_SHARED_SIZE => Values::integer(0),
         _ => return None,
     })
-}
-
-/// A texel as section 6.1.4 returns it (table 6.1).
-fn returned(base: BaseFormat, [r, g, b, a]: [f32; 4]) -> [f32; 4] {
-    match base {
-        BaseFormat::Alpha => [0.0, 0.0, 0.0, a],
-        BaseFormat::Luminance => [r, 0.0, 0.0, 1.0],
-        BaseFormat::LuminanceAlpha => [r, 0.0, 0.0, a],
-        BaseFormat::Intensity | BaseFormat::Depth => [r, 0.0, 0.0, 1.0],
-        BaseFormat::Rgb => [r, g, b, 1.0],
-        BaseFormat::Rgba => [r, g, b, a],
-    }
 }
 
 impl Context {
@@ -187,7 +180,7 @@ impl Context {
             for y in 0..height {
                 for x in 0..width {
                     let index = image.index([x, y, z]);
-                    let texel = returned(image.format.base, image.get(index));
+                    let texel = image.format.base.returned(image.get(index), 0.0, 1.0);
                     let start = layout.offset([x, y, z].map(|at| at as usize));
                     let end = start.saturating_add(kind.bytes());
                     let Some(out) = destination.get_mut(start..end) else { return };
@@ -199,8 +192,8 @@ impl Context {
                             }
                         }
                         Components::Luminance { .. } => {
-                            let [r, g, b, a] = texel;
-                            values = [(r + g + b).min(1.0), a, 0.0, 0.0];
+                            // The first component, not the sum that glReadPixels makes.
+                            values = [texel[0], texel[3], 0.0, 0.0];
                         }
                         _ => {
                             values[0] = texel[0];

@@ -15,7 +15,7 @@ pub(crate) enum Attachment {
 
 impl Attachment {
     /// Whether two are the same object's, of which a texture has several images.
-    fn is_of(&self, other: &Self) -> bool {
+    pub(crate) fn is_of(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Renderbuffer(own), Self::Renderbuffer(others)) => own == others,
             (Self::Texture { texture, .. }, Self::Texture { texture: other, .. }) => {

@@ -4,56 +4,56 @@ use crate::depth::{DepthKind, DepthPlane};
 use crate::enums as gl;
 use crate::limits::RENDERBUFFER_NAMES;
 use crate::plane::Plane;
+use crate::texture::{BaseFormat, InternalFormat, is_compressed};
 use std::collections::BTreeMap;
 
 /// The planes that a format has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Planes {
-    pub(crate) color: bool,
-    /// Whether colours have alphas.
-    pub(crate) alpha: bool,
+    /// Which components colours have.
+    pub(crate) color: Option<BaseFormat>,
     pub(crate) depth: Option<DepthKind>,
     pub(crate) stencil: bool,
 }
 
 impl Planes {
-    /// The planes of a format of renderbuffers; `None` for one that isn't one.
-    pub(crate) fn of_format(format: u32) -> Option<Self> {
-        let colors = |alpha| Some(Self { color: true, alpha, depth: None, stencil: false });
-        let depths = |depth, stencil| Some(Self { color: false, alpha: false, depth, stencil });
-        let (steps, floats) = (Some(DepthKind::Steps), Some(DepthKind::Floats));
-        match format {
-            gl::RGB
-            | gl::R3_G3_B2
-            | gl::RGB4
-            | gl::RGB5
-            | gl::RGB8
-            | gl::RGB10
-            | gl::RGB12
-            | gl::RGB16 => colors(false),
-            gl::RGBA
-            | gl::RGBA2
-            | gl::RGBA4
-            | gl::RGB5_A1
-            | gl::RGBA8
-            | gl::RGB10_A2
-            | gl::RGBA12
-            | gl::RGBA16
-            | gl::SRGB8_ALPHA8 => colors(true),
-            gl::DEPTH_COMPONENT
-            | gl::DEPTH_COMPONENT16
-            | gl::DEPTH_COMPONENT24
-            | gl::DEPTH_COMPONENT32 => depths(steps, false),
-            gl::DEPTH_STENCIL | gl::DEPTH24_STENCIL8 => depths(steps, true),
-            gl::DEPTH_COMPONENT32F => depths(floats, false),
-            gl::DEPTH32F_STENCIL8 => depths(floats, true),
+    /// The planes of a format of renderbuffers; `None` for one that isn't one: those that textures have, but numbers of
+    /// components and compressed ones; and stencil values.
+    pub(crate) fn of_format(name: u32) -> Option<Self> {
+        match name {
             gl::STENCIL_INDEX
             | gl::STENCIL_INDEX1
             | gl::STENCIL_INDEX4
             | gl::STENCIL_INDEX8
-            | gl::STENCIL_INDEX16 => depths(None, true),
-            _ => None,
+            | gl::STENCIL_INDEX16 => Some(Self { stencil: true, ..Self::default() }),
+            1..=4 => None,
+            _ => {
+                let format = InternalFormat::named(name).filter(|_| !is_compressed(name))?;
+                let draws = !format.srgb || format.base == BaseFormat::Rgba;
+                draws.then(|| Self::of_texels(format))
+            }
         }
+    }
+
+    /// The planes of a texture's image.
+    pub(crate) fn of_texels(format: InternalFormat) -> Self {
+        let is_depth = format.is_depth();
+        Self {
+            color: (!is_depth).then_some(format.base),
+            depth: is_depth.then(|| format.depth_kind()),
+            stencil: format.stencil,
+        }
+    }
+
+    /// Bits of red, green, blue and alpha as they are drawn to, depth, stencil.
+    pub(crate) fn component_bits(self) -> [usize; 6] {
+        let [r, g, b, a] =
+            self.color.map_or([false; 4], BaseFormat::present).map(|there| match there {
+                true => 8,
+                false => 0,
+            });
+        let stencil = if self.stencil { 8 } else { 0 };
+        [r, g, b, a, self.depth.map_or(0, DepthKind::bits), stencil]
     }
 }
 
@@ -88,7 +88,7 @@ impl Renderbuffer {
             samples,
             size,
             planes,
-            color: whole_numbers(planes.color)?,
+            color: whole_numbers(planes.color.is_some())?,
             depth,
             stencil: whole_numbers(planes.stencil)?,
         })

@@ -13,6 +13,8 @@ pub(crate) enum Components {
     },
     Depth,
     Stencil,
+    /// Indices of colours in the pixel maps.
+    Index,
     /// Depth, then stencil: as a part of 255, where components are from 0 to 1.
     DepthStencil,
 }
@@ -68,7 +70,7 @@ impl Components {
         match self {
             Self::Colors(places) => places.len(),
             Self::Luminance { alpha } => 1 + usize::from(alpha),
-            Self::Depth | Self::Stencil => 1,
+            Self::Depth | Self::Stencil | Self::Index => 1,
             Self::DepthStencil => 2,
         }
     }
@@ -137,6 +139,27 @@ impl Elements {
 }
 
 impl PixelFormat {
+    /// Format and type of pixels that come from the program: also indices of colours, and bits (`GL_BITMAP`) as the bytes
+    /// that they become.
+    ///
+    /// # Errors
+    /// As of [`named`](Self::named); `GL_INVALID_ENUM` for bits that aren't indices.
+    pub(crate) fn of_source(format: u32, data_type: u32) -> Result<Self, u32> {
+        let indices = match format {
+            gl::COLOR_INDEX => Components::Index,
+            gl::STENCIL_INDEX => Components::Stencil,
+            _ => return Self::named(format, data_type),
+        };
+        let elements = match data_type {
+            gl::BITMAP => Elements::UnsignedByte,
+            _ => Elements::named(data_type).ok_or(gl::INVALID_ENUM)?,
+        };
+        match elements {
+            Elements::Packed { .. } | Elements::FloatAndByte => Err(gl::INVALID_OPERATION),
+            _ => Ok(Self { components: indices, elements }),
+        }
+    }
+
     /// Format and type by their names.
     ///
     /// # Errors

@@ -1,9 +1,11 @@
 //! Pixels from the program's memory (OpenGL 1.5, section 3.6.4): images of up to three dimensions.
 
 use super::format::{Components, Elements, PixelFormat};
-use super::store::Layout;
+use super::store::{Layout, bitmap_bytes, read_bitmap};
 use crate::convert;
+use crate::enums as gl;
 use crate::state::pixel::PixelStore;
+use std::borrow::Cow;
 
 /// An image of several images in memory: offsets in bytes.
 #[derive(Clone, Copy, Debug)]
@@ -78,6 +80,54 @@ impl ImageLayout {
             }
         }
     }
+}
+
+/// Bytes of an image of the program, `kind` and `data_type` its type.
+pub(crate) fn image_bytes(
+    store: &PixelStore,
+    size: [usize; 3],
+    (kind, data_type): (PixelFormat, u32),
+    dimensions: usize,
+) -> usize {
+    if data_type != gl::BITMAP {
+        return ImageLayout::new(store, size, kind, dimensions).end;
+    }
+    let last = size[2].saturating_sub(1);
+    if size[2] == 0 { 0 } else { bitmap_bytes(&bits_of(store, size, last), [size[0], size[1]]) }
+}
+
+/// How the bits of one image of several are stored.
+fn bits_of(store: &PixelStore, [_, height, depth]: [usize; 3], image: usize) -> PixelStore {
+    let rows = if store.image_height > 0 { store.image_height } else { height };
+    let skipped = if depth > 1 { store.skip_images.saturating_add(image) } else { 0 };
+    let skip_rows = store.skip_rows.saturating_add(skipped.saturating_mul(rows));
+    PixelStore { skip_rows, ..*store }
+}
+
+/// An image of the program with its type and storage; bits become bytes of 0 and 1 in tight rows. `None` if there is no
+/// memory for those.
+pub(crate) fn without_bits<'b>(
+    store: &PixelStore,
+    size: [usize; 3],
+    data_type: u32,
+    bytes: &'b [u8],
+) -> Option<(PixelStore, u32, Cow<'b, [u8]>)> {
+    if data_type != gl::BITMAP {
+        return Some((*store, data_type, Cow::Borrowed(bytes)));
+    }
+    if bytes.is_empty() {
+        return Some((*store, gl::UNSIGNED_BYTE, Cow::Borrowed(bytes)));
+    }
+    let [width, height, depth] = size;
+    let mut pixels = Vec::new();
+    for image in 0..depth {
+        let bits = read_bitmap(bytes, &bits_of(store, size, image), [width, height])?;
+        pixels.try_reserve(width.checked_mul(height)?).ok()?;
+        for row in 0..height {
+            pixels.extend((0..width).map(|column| u8::from(bits.is_set(column, row))));
+        }
+    }
+    Some((PixelStore::tight(false), gl::UNSIGNED_BYTE, Cow::Owned(pixels)))
 }
 
 impl PixelFormat {
@@ -180,7 +230,6 @@ fn word(bytes: &[u8], width: usize, swap: bool) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::enums as gl;
 
     #[test]
     fn section_3_6_4_every_format_and_type_comes_back_as_it_was_written() {
@@ -251,6 +300,19 @@ mod tests {
             }
         }
         assert!(tried > 150, "{tried}");
+    }
+
+    #[test]
+    fn section_3_6_4_bits_become_bytes_as_their_storage_has_them() {
+        let store = PixelStore { alignment: 1, skip_pixels: 3, ..PixelStore::default() };
+        let kind = PixelFormat::of_source(gl::COLOR_INDEX, gl::BITMAP).unwrap();
+        let size = [6, 2, 1];
+        assert_eq!(image_bytes(&store, size, (kind, gl::BITMAP), 2), 3);
+        let bytes = [0b0001_0011, 0b1000_0000, 0b0001_1111];
+        // Rows of six bits after three skipped ones: with a row's length of six, one byte from row to row.
+        let (_, data_type, pixels) = without_bits(&store, size, gl::BITMAP, &bytes).unwrap();
+        assert_eq!(data_type, gl::UNSIGNED_BYTE);
+        assert_eq!(pixels[..6], [1, 0, 0, 1, 1, 1]);
     }
 
     #[test]

@@ -8,13 +8,14 @@ type Corners = [i32; 4];
 
 impl Framebuffer {
     /// Copies pixels of another framebuffer into a region of this one: left, bottom, right, top. Between framebuffers of
-    /// as many samples each is copied; else the mean of all colours, and the first one's depth and stencil value.
+    /// as many samples each is copied; else the mean of all colours, and the first one's depth and stencil value. Colours
+    /// become what `adapt` makes of them.
     pub(crate) fn blit(
         &mut self,
         from: &Self,
         (source, destination): (Corners, Corners),
         mask: u32,
-        linear: bool,
+        (linear, adapt): (bool, &dyn Fn([u8; 4]) -> [u8; 4]),
         [left, bottom, right, top]: [i32; 4],
     ) {
         let side = |axis: usize| {
@@ -48,7 +49,7 @@ impl Framebuffer {
                             false if linear && from.samples() == 1 => from.linear(u, v),
                             false => from.resolved(nearest),
                         };
-                        self.set_color(at, sample, color);
+                        self.set_color(at, sample, adapt(color));
                     }
                     if mask & gl::DEPTH_BUFFER_BIT != 0 {
                         self.set_depth(at, sample, from.kept_depth(nearest, own));

@@ -5,6 +5,7 @@ use crate::enums as gl;
 use crate::fragment::TextureStages;
 use crate::state::Attributes;
 use crate::state::fragment::FogState;
+use crate::texture::BaseFormat;
 use luxel_lighting::{Fog, FogLaw};
 
 /// How fragments are tested and written.
@@ -54,7 +55,8 @@ pub(crate) struct Blend {
 /// What a framebuffer has beside red, green and blue.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Buffers {
-    pub(crate) alpha: bool,
+    /// The components of colours.
+    pub(crate) color: BaseFormat,
     pub(crate) depth: bool,
     pub(crate) stencil: bool,
     /// Whether a pixel has several samples.
@@ -76,7 +78,7 @@ impl Pipeline {
             (has(gl::COLOR_LOGIC_OP) && color.logic_op != gl::COPY).then_some(color.logic_op);
         let blend = Blend {
             equation: color.blend_equation,
-            factors: if buffers.alpha { color.blend } else { color.blend.map(without_alpha) },
+            factors: color.blend.map(|factor| in_format(factor, buffers.color)),
             constant: color.blend_color,
         };
         let color_bits = if color.draw_buffer == gl::NONE { 0 } else { color_bits };
@@ -120,11 +122,14 @@ impl Pipeline {
     }
 }
 
-/// A factor where all alphas that are there are 1.
-fn without_alpha(factor: u32) -> u32 {
-    match factor {
-        gl::DST_ALPHA => gl::ONE,
-        gl::ONE_MINUS_DST_ALPHA | gl::SRC_ALPHA_SATURATE => gl::ZERO,
+/// A factor by the alphas that colours of a format have: those of intensities are their red, those that aren't there 1.
+fn in_format(factor: u32, format: BaseFormat) -> u32 {
+    match (factor, format) {
+        (_, BaseFormat::Alpha | BaseFormat::LuminanceAlpha | BaseFormat::Rgba) => factor,
+        (gl::DST_ALPHA, BaseFormat::Intensity) => gl::DST_COLOR,
+        (gl::ONE_MINUS_DST_ALPHA, BaseFormat::Intensity) => gl::ONE_MINUS_DST_COLOR,
+        (gl::DST_ALPHA, _) => gl::ONE,
+        (gl::ONE_MINUS_DST_ALPHA | gl::SRC_ALPHA_SATURATE, _) => gl::ZERO,
         _ => factor,
     }
 }

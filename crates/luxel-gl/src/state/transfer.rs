@@ -60,6 +60,8 @@ impl Default for PixelMaps {
 
 /// The place of the first table that takes colours to colours.
 const OF_COLORS: usize = 6;
+/// The place of the first table that takes indices to colours.
+const OF_INDICES: usize = 2;
 /// The place of `GL_PIXEL_MAP_S_TO_S`.
 const OF_STENCIL: usize = 1;
 
@@ -130,21 +132,35 @@ impl Transfer {
         depth * scale + bias
     }
 
-    /// A stencil value, shifted to the left (to the right if negative), with offset and map.
+    /// An index of a colour, shifted and with offset, and the colour that the maps have for it.
+    pub(crate) fn indexed(&self, index: i32) -> [f32; 4] {
+        let index = self.moved(index);
+        std::array::from_fn(|at| {
+            let map = &self.maps.0[OF_INDICES + at];
+            map.get(index as u32 as usize & (map.len() - 1)).copied().unwrap_or(0.0)
+        })
+    }
+
+    /// A stencil value, shifted and with offset, by its map.
     pub(crate) fn stencil(&self, value: i32) -> i32 {
-        let shift = self.by.index_shift;
-        let by = shift.unsigned_abs();
-        let shifted = match shift {
-            0.. => value.checked_shl(by).unwrap_or(0),
-            _ => value.checked_shr(by).unwrap_or(0),
-        };
-        let value = shifted.wrapping_add(self.by.index_offset);
+        let value = self.moved(value);
         if !self.by.map_stencil {
             return value;
         }
         let map = &self.maps.0[OF_STENCIL];
         let place = value as u32 as usize & (map.len() - 1);
         map.get(place).map_or(0, |value| *value as i32)
+    }
+
+    /// An index, shifted to the left (to the right if negative), and with offset.
+    fn moved(&self, value: i32) -> i32 {
+        let shift = self.by.index_shift;
+        let by = shift.unsigned_abs();
+        let shifted = match shift {
+            0.. => value.checked_shl(by).unwrap_or(0),
+            _ => value.checked_shr(by).unwrap_or(0),
+        };
+        shifted.wrapping_add(self.by.index_offset)
     }
 }
 
@@ -166,6 +182,19 @@ mod tests {
         transfer.maps = Arc::new(maps);
         transfer.by.map_color = true;
         assert_eq!(transfer.color(color), [0.125, 0.0, 0.75, 0.0]);
+    }
+
+    #[test]
+    fn section_3_6_5_indices_become_the_colours_of_the_maps() {
+        let mut transfer = Transfer { by: PixelTransfer::default(), maps: Arc::default() };
+        assert_eq!(transfer.indexed(3), [0.0; 4]);
+        let mut maps = PixelMaps::default();
+        maps.0[OF_INDICES] = vec![0.0, 0.25, 0.5, 0.75];
+        maps.0[OF_INDICES + 3] = vec![1.0, 0.5];
+        transfer.maps = Arc::new(maps);
+        assert_eq!(transfer.indexed(3), [0.75, 0.0, 0.0, 0.5]);
+        transfer.by.index_offset = 2;
+        assert_eq!(transfer.indexed(3), [0.25, 0.0, 0.0, 0.5]);
     }
 
     #[test]

@@ -37,6 +37,35 @@ pub(crate) struct InternalFormat {
     pub(crate) stencil: bool,
 }
 
+/// Whether a name is that of a generic compressed format.
+pub(crate) fn is_compressed(name: u32) -> bool {
+    matches!(
+        name,
+        gl::COMPRESSED_ALPHA..=gl::COMPRESSED_RGBA
+            | gl::COMPRESSED_SRGB..=gl::COMPRESSED_SLUMINANCE_ALPHA
+    )
+}
+
+impl BaseFormat {
+    /// Which of red, green, blue and alpha a pixel of that format has, where colours are drawn to: luminances and
+    /// intensities are red (ARB_framebuffer_object, table 3.15).
+    pub(crate) fn present(self) -> [bool; 4] {
+        match self {
+            Self::Alpha => [false, false, false, true],
+            Self::Luminance | Self::Intensity | Self::Depth => [true, false, false, false],
+            Self::LuminanceAlpha => [true, false, false, true],
+            Self::Rgb => [true, true, true, false],
+            Self::Rgba => [true; 4],
+        }
+    }
+
+    /// A texel in its canonical form as section 6.1.4 returns it (table 6.1): what isn't there is 0, alpha 1.
+    pub(crate) fn returned<T: Copy>(self, texel: [T; 4], zero: T, one: T) -> [T; 4] {
+        let (present, missing) = (self.present(), [zero, zero, zero, one]);
+        std::array::from_fn(|at| if present[at] { texel[at] } else { missing[at] })
+    }
+}
+
 impl InternalFormat {
     /// The format of a name, or of a number of components from 1 to 4; `None` for other values. A format of fewer bits
     /// is kept in bytes, generic compressed ones without compression.
@@ -106,12 +135,6 @@ impl InternalFormat {
             BaseFormat::Rgb => [r, g, b, one],
             BaseFormat::Rgba => [r, g, b, a],
         }
-    }
-
-    /// Whether colours have alphas.
-    pub(crate) fn has_alpha(self) -> bool {
-        use BaseFormat::{Alpha, Intensity, LuminanceAlpha, Rgba};
-        matches!(self.base, Alpha | Intensity | LuminanceAlpha | Rgba)
     }
 
     /// How depths are kept.

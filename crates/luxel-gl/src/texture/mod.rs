@@ -8,7 +8,7 @@ pub(crate) mod parameters;
 pub(crate) mod sampled;
 
 pub(crate) use image::{Texels, TextureImage};
-pub(crate) use internal_format::{BaseFormat, InternalFormat};
+pub(crate) use internal_format::{BaseFormat, InternalFormat, is_compressed};
 pub(crate) use object::{ImageTarget, Target, TextureHandle, Textures, locked};
 pub(crate) use parameters::Parameters;
 pub(crate) use sampled::SampledTexture;

@@ -34,7 +34,7 @@ pub(crate) struct Fetched {
 }
 
 /// Vertices of arrays, and the order in which a draw takes them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct ArrayDraw {
     pub(crate) mode: u32,
     pub(crate) vertices: Fetched,
