@@ -71,7 +71,7 @@ impl DepthKind {
     /// floats with the exponent e.
     pub(crate) fn resolution(self, beside: f32) -> f32 {
         match self {
-            Self::Steps => 1.0,
+            Self::Steps => 2.0,
             Self::Floats => {
                 let exponent = beside.abs().clamp(f32::MIN_POSITIVE, 1.0).to_bits() >> 23;
                 f32::from_bits(exponent << 23) * f32::EPSILON
@@ -131,7 +131,7 @@ mod tests {
             let next = f32::from_bits(depth.to_bits() + 1);
             assert_eq!(DepthKind::Floats.resolution(depth), next - depth);
         }
-        assert_eq!(DepthKind::Steps.resolution(0.5), 1.0);
+        assert_eq!(DepthKind::Steps.resolution(0.5), 2.0);
         assert!(DepthKind::Floats.resolution(0.0) > 0.0);
     }
 }

@@ -354,6 +354,8 @@ impl Context {
         count: &[i32],
         memory: &dyn ClientMemory,
     ) {
+        let negative = count.iter().any(|count| *count < 0);
+        demand!(self, !negative, gl::INVALID_VALUE);
         for (&first, &count) in first.iter().zip(count) {
             if count > 0 {
                 self.draw_arrays(mode, first, count, memory);
@@ -443,6 +445,8 @@ impl Context {
         indices: &[usize],
         memory: &dyn ClientMemory,
     ) {
+        let negative = count.iter().any(|count| *count < 0);
+        demand!(self, !negative, gl::INVALID_VALUE);
         for (&count, &indices) in count.iter().zip(indices) {
             if count > 0 {
                 self.draw_elements(mode, count, data_type, indices, memory);

@@ -6,7 +6,7 @@
 
 use crate::Context;
 use crate::limits::VIEWPORT;
-use crate::objects::framebuffer::{Attachment, COLOR, DEPTH, FramebufferObject, STENCIL};
+use crate::objects::framebuffer::{Attachment, COLORS, DEPTH, FramebufferObject, STENCIL};
 use crate::objects::renderbuffer::Planes;
 use crate::plane::Plane;
 use crate::raster::Framebuffer;
@@ -31,13 +31,23 @@ impl Context {
                 let of = renderbuffers.get(*name)?;
                 Some(ImageKind { size: of.size, planes: of.planes, samples: of.samples.max(1) })
             }
-            Attachment::Texture { texture, face, level, .. } => {
+            Attachment::Texture { texture, face, level, layer, .. } => {
                 let texture = locked(texture);
-                let image = texture.image(*face, *level)?;
+                let image = texture.image(*face, *level).filter(|image| *layer < image.size[2])?;
                 let planes = Planes::of_texels(image.format);
                 Some(ImageKind { size: [image.size[0], image.size[1]], planes, samples: 1 })
             }
         }
+    }
+
+    /// Attachments with their places: of colours the one that is drawn to.
+    fn used<'o>(
+        &self,
+        object: &'o FramebufferObject,
+    ) -> impl Iterator<Item = (usize, &'o Option<Attachment>)> + use<'o> {
+        [self.framebuffers.color, DEPTH, STENCIL]
+            .into_iter()
+            .map(|place| (place, &object.attachments[place]))
     }
 
     /// Gives the planes of what is drawn to back to the images of the object that is bound for drawing.
@@ -46,25 +56,25 @@ impl Context {
         let Some(object) = self.framebuffers.get(self.framebuffers.draw).cloned() else { return };
         let mut framebuffer = std::mem::take(&mut self.framebuffer);
         let size = framebuffer.size;
-        for (place, attachment) in object.attachments.iter().enumerate() {
+        for (place, attachment) in self.used(&object) {
             match attachment {
                 Some(Attachment::Renderbuffer(name)) => {
                     let mut renderbuffers = self.renderbuffers();
                     let Some(of) = renderbuffers.get_mut(*name) else { continue };
                     match place {
-                        COLOR => give(&mut of.color, framebuffer.color.take()),
+                        0..COLORS => give(&mut of.color, framebuffer.color.take()),
                         DEPTH => give(&mut of.depth, framebuffer.depth.take()),
                         _ => give(&mut of.stencil, framebuffer.stencil.take()),
                     }
                 }
                 Some(Attachment::Texture { texture, face, level, layer, .. }) => {
-                    if place == COLOR && !framebuffer.changed {
+                    if place < COLORS && !framebuffer.changed {
                         continue;
                     }
                     let mut texture = locked(texture);
                     let Some(image) = texture.image_mut(*face, *level) else { continue };
                     match (place, &mut image.texels) {
-                        (COLOR, _) => {
+                        (0..COLORS, _) => {
                             if let Some(colors) = &framebuffer.color {
                                 store_colors(image, *layer, colors, size);
                             }
@@ -86,20 +96,20 @@ impl Context {
         let size = kinds.map(|kind| kind.size).reduce(smaller).unwrap_or([0; 2]);
         let size = size.map(|side| side.min(VIEWPORT as u32));
         let mut framebuffer = Framebuffer { size, ..Framebuffer::default() };
-        for (place, attachment) in object.attachments.iter().enumerate() {
+        for (place, attachment) in self.used(object) {
             match attachment {
                 Some(Attachment::Renderbuffer(name)) => {
                     let mut renderbuffers = self.renderbuffers();
                     let Some(of) = renderbuffers.get_mut(*name) else { continue };
                     match place {
-                        COLOR => framebuffer.color = of.color.take(),
+                        0..COLORS => framebuffer.color = of.color.take(),
                         DEPTH => framebuffer.depth = of.depth.take(),
                         _ => framebuffer.stencil = of.stencil.take(),
                     }
                 }
                 Some(Attachment::Texture { texture, face, level, layer, .. }) => {
                     let mut texture = locked(texture);
-                    if place == COLOR {
+                    if place < COLORS {
                         let image = texture.image(*face, *level).map(Arc::clone);
                         framebuffer.color = image.and_then(|image| load_colors(&image, *layer));
                         continue;
@@ -136,6 +146,15 @@ impl Context {
             self.load_attachments(&object);
         }
         result
+    }
+
+    /// Leaves a texture's images, which are about to change or to go, to draws that wait; if these hold too much by then,
+    /// they are carried out.
+    pub(super) fn leave_images(&mut self, texture: &TextureHandle) {
+        self.log.inherit(locked(texture).bytes_in_use());
+        if self.log.is_full() {
+            self.carry_out();
+        }
     }
 
     /// The same for a texture.

@@ -25,7 +25,10 @@ impl Context {
         compile!(self, Command::PopAttrib);
         outside_begin!(self);
         match self.attribute_stack.pop() {
-            Some((mask, saved)) => self.state.restore(&saved, mask),
+            Some((mask, saved)) => {
+                self.state.restore(&saved, mask);
+                self.set_drawn_color();
+            }
             None => self.error.set(gl::STACK_UNDERFLOW),
         }
     }

@@ -6,6 +6,7 @@ use crate::Context;
 use crate::context::{compile, demand, outside_begin};
 use crate::enums as gl;
 use crate::limits::VIEWPORT;
+use crate::objects::framebuffer::color_place;
 use crate::objects::list::Command;
 use crate::raster::{Clear, Framebuffer};
 use crate::state::fragment::PixelBox;
@@ -90,6 +91,9 @@ impl Context {
             stencil_mask: self.state.stencil.write_mask as u8,
         };
         self.log.clear(clear);
+        if self.log.is_full() {
+            self.carry_out();
+        }
         if has(gl::ACCUM_BUFFER_BIT) {
             self.clear_accumulation();
         }
@@ -135,8 +139,11 @@ impl Context {
     pub fn draw_buffer(&mut self, buffer: u32) {
         compile!(self, Command::DrawBuffer(buffer));
         outside_begin!(self);
-        match self.buffer_named(buffer) {
-            Ok(()) => self.state.color.draw_buffer = buffer,
+        match buffer_of(self.framebuffers.draw, buffer) {
+            Ok(()) => {
+                self.state.color.draw_buffer = buffer;
+                self.set_drawn_color();
+            }
             Err(error) => self.error.set(error),
         }
     }
@@ -146,27 +153,12 @@ impl Context {
         compile!(self, Command::ReadBuffer(buffer));
         outside_begin!(self);
         // An object may be without any colour to read.
-        let none_is_one = self.framebuffers.draw != 0;
-        let single = buffer != gl::FRONT_AND_BACK && (buffer != gl::NONE || none_is_one);
-        match self.buffer_named(buffer) {
-            Ok(()) if single => self.state.read_buffer.0 = buffer,
+        let read = self.framebuffers.read;
+        let single = buffer != gl::FRONT_AND_BACK && (buffer != gl::NONE || read != 0);
+        match buffer_of(read, buffer) {
+            Ok(()) if single => self.set_read_buffer(buffer),
             Ok(()) => self.error.set(gl::INVALID_ENUM),
             Err(error) => self.error.set(error),
-        }
-    }
-
-    /// Whether what is drawn to has a buffer of that name.
-    fn buffer_named(&self, buffer: u32) -> Result<(), u32> {
-        let of_object = self.framebuffers.draw != 0;
-        match buffer {
-            gl::NONE => Ok(()),
-            gl::COLOR_ATTACHMENT0 if of_object => Ok(()),
-            gl::COLOR_ATTACHMENT0..=gl::COLOR_ATTACHMENT15 => Err(gl::INVALID_OPERATION),
-            _ => buffer_named(buffer).and(if of_object {
-                Err(gl::INVALID_OPERATION)
-            } else {
-                Ok(())
-            }),
         }
     }
 
@@ -179,6 +171,19 @@ impl Context {
     /// `glFinish`.
     pub fn finish(&mut self) {
         self.flush();
+    }
+}
+
+/// Whether a framebuffer can have a buffer of that name.
+fn buffer_of(framebuffer: u32, buffer: u32) -> Result<(), u32> {
+    let of_object = framebuffer != 0;
+    match buffer {
+        gl::NONE => Ok(()),
+        gl::COLOR_ATTACHMENT0..=gl::COLOR_ATTACHMENT15 => {
+            let there = of_object && color_place(buffer).is_some();
+            if there { Ok(()) } else { Err(gl::INVALID_OPERATION) }
+        }
+        _ => buffer_named(buffer).and(if of_object { Err(gl::INVALID_OPERATION) } else { Ok(()) }),
     }
 }
 

@@ -199,7 +199,8 @@ impl Context {
             return;
         }
         let there = self.has_buffers_of(components)
-            && self.with_read_framebuffer(|context| context.has_buffers_of(components));
+            && self.with_read_framebuffer(|context| context.has_buffers_of(components))
+            && (buffer != gl::COLOR || self.reads_colors());
         demand!(self, there && !self.reads_samples(), gl::INVALID_OPERATION);
         if !self.state.current.raster.valid {
             return;

@@ -4,7 +4,7 @@ use crate::Context;
 use crate::context::outside_begin;
 use crate::depth::DepthKind;
 use crate::enums as gl;
-use crate::objects::framebuffer::{Attachment, COLOR, DEPTH, STENCIL, attachments_named};
+use crate::objects::framebuffer::{Attachment, DEPTH, STENCIL, attachments_named};
 use crate::objects::renderbuffer::Planes;
 use crate::texture::{BaseFormat, locked};
 use crate::values::Values;
@@ -124,7 +124,7 @@ impl Context {
             stencil: of.stencil_bits > 0,
         };
         let (place, there) = match name {
-            gl::FRONT_LEFT | gl::BACK_LEFT => (COLOR, true),
+            gl::FRONT_LEFT | gl::BACK_LEFT => (0, true),
             gl::DEPTH => (DEPTH, planes.depth.is_some()),
             gl::STENCIL => (STENCIL, planes.stencil),
             _ => return None,

@@ -8,7 +8,9 @@ use crate::Context;
 use crate::context::{demand, outside_begin};
 use crate::depth::DepthKind;
 use crate::enums as gl;
-use crate::objects::framebuffer::{Attachment, COLOR, DEPTH, STENCIL, attachments_named};
+use crate::objects::framebuffer::{
+    Attachment, COLORS, DEPTH, STENCIL, attachments_named, color_place,
+};
 use crate::raster::Framebuffer;
 use crate::texture::{BaseFormat, ImageTarget, locked};
 
@@ -24,11 +26,46 @@ impl Context {
 
     /// Which components colours of the framebuffer that is drawn to have.
     pub(crate) fn color_format(&self) -> BaseFormat {
-        let Some(object) = self.framebuffers.get(self.framebuffers.draw) else {
+        self.color_format_of(self.framebuffers.draw, self.framebuffers.color)
+    }
+
+    fn color_format_of(&self, name: u32, place: usize) -> BaseFormat {
+        let Some(object) = self.framebuffers.get(name) else {
             return if self.configuration.alpha { BaseFormat::Rgba } else { BaseFormat::Rgb };
         };
-        let kind = object.attachments[COLOR].as_ref().and_then(|image| self.image_kind(image));
+        let kind = object.attachments[place].as_ref().and_then(|image| self.image_kind(image));
         kind.and_then(|kind| kind.planes.color).unwrap_or(BaseFormat::Rgba)
+    }
+
+    /// Whether the framebuffer that is read has depths.
+    pub(super) fn reads_depths(&self) -> bool {
+        self.depth_kind_of(self.framebuffers.read).is_some()
+    }
+
+    /// Whether the framebuffer that is read has colours.
+    pub(super) fn reads_colors(&self) -> bool {
+        let Some(object) = self.framebuffers.get(self.framebuffers.read) else { return true };
+        let buffer = self.read_buffer_name();
+        let place = color_place(buffer).filter(|_| buffer != gl::NONE);
+        place.is_some_and(|place| object.attachments[place].is_some())
+    }
+
+    pub(super) fn set_read_buffer(&mut self, buffer: u32) {
+        let (read, draw) = (self.framebuffers.read, self.framebuffers.draw);
+        match self.framebuffers.get_mut(read) {
+            _ if read == draw => self.state.read_buffer.0 = buffer,
+            Some(object) => object.read_buffer = buffer,
+            None => self.framebuffers.default_buffers[1] = buffer,
+        }
+    }
+
+    /// `GL_READ_BUFFER` of the framebuffer that is bound for reading.
+    pub(crate) fn read_buffer_name(&self) -> u32 {
+        match self.framebuffers.get(self.framebuffers.read) {
+            _ if self.framebuffers.read == self.framebuffers.draw => self.state.read_buffer.0,
+            Some(object) => object.read_buffer,
+            None => self.framebuffers.default_buffers[1],
+        }
     }
 
     /// Whether those have alphas of their own.
@@ -62,7 +99,11 @@ impl Context {
             let Some(ImageKind { size, planes, samples }) = self.image_kind(attachment) else {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
             };
-            let fits = [planes.color.is_some(), planes.depth.is_some(), planes.stencil][place];
+            let fits = match place {
+                0..COLORS => planes.color.is_some(),
+                DEPTH => planes.depth.is_some(),
+                _ => planes.stencil,
+            };
             if !fits || size.contains(&0) {
                 return gl::FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
             }
@@ -79,7 +120,9 @@ impl Context {
 
     /// How a framebuffer keeps depths; `None` if it has none.
     fn depth_kind_of(&self, name: u32) -> Option<DepthKind> {
-        let Some(object) = self.framebuffers.get(name) else { return Some(DepthKind::Steps) };
+        let Some(object) = self.framebuffers.get(name) else {
+            return (self.configuration.depth_bits > 0).then_some(DepthKind::Steps);
+        };
         self.image_kind(object.attachments[DEPTH].as_ref()?)?.planes.depth
     }
 
@@ -95,11 +138,36 @@ impl Context {
         self.samples_of(self.framebuffers.read) > 1
     }
 
-    /// Binds a framebuffer for drawing, with its buffers.
-    fn set_draw_framebuffer(&mut self, name: u32) {
-        if name == self.framebuffers.draw {
+    /// Chooses the colour of the framebuffer that is drawn to.
+    fn set_color(&mut self, place: usize) {
+        if place == self.framebuffers.color {
             return;
         }
+        self.store_attachments();
+        self.framebuffers.color = place;
+        if let Some(object) = self.framebuffers.get(self.framebuffers.draw).cloned() {
+            self.load_attachments(&object);
+        }
+    }
+
+    /// Chooses the colour that `glDrawBuffer` names.
+    pub(super) fn set_drawn_color(&mut self) {
+        let place = match self.framebuffers.draw {
+            0 => None,
+            _ => color_place(self.state.color.draw_buffer),
+        };
+        self.set_color(place.unwrap_or(0));
+    }
+
+    /// Binds a framebuffer for drawing, with its buffers and the colour that is drawn to.
+    fn set_draw_framebuffer(&mut self, name: u32) {
+        if name != self.framebuffers.draw {
+            self.bind_drawn(name);
+        }
+        self.set_drawn_color();
+    }
+
+    fn bind_drawn(&mut self, name: u32) {
         self.store_attachments();
         let buffers = [self.state.color.draw_buffer, self.state.read_buffer.0];
         match self.framebuffers.get_mut(self.framebuffers.draw) {
@@ -110,23 +178,34 @@ impl Context {
         if self.framebuffers.get(self.framebuffers.draw).is_none() {
             self.parked = std::mem::take(&mut self.framebuffer);
         }
-        match &object {
-            Some(object) => self.load_attachments(object),
-            None => self.framebuffer = std::mem::take(&mut self.parked),
-        }
         let [draw, read] = match &object {
             Some(object) => [object.draw_buffer, object.read_buffer],
             None => self.framebuffers.default_buffers,
         };
+        self.framebuffers.color = if object.is_some() { color_place(draw).unwrap_or(0) } else { 0 };
+        match &object {
+            Some(object) => self.load_attachments(object),
+            None => self.framebuffer = std::mem::take(&mut self.parked),
+        }
         self.state.color.draw_buffer = draw;
         self.state.read_buffer.0 = read;
         self.framebuffers.draw = name;
     }
 
+    /// Puts the framebuffer that is bound for reading, with the colour that is read, in the place of that for drawing.
+    fn set_read_framebuffer(&mut self) {
+        let read = self.framebuffers.read;
+        let place = if read == 0 { None } else { color_place(self.read_buffer_name()) };
+        if read != self.framebuffers.draw {
+            self.bind_drawn(read);
+        }
+        self.set_color(place.unwrap_or(0));
+    }
+
     /// Does something with the framebuffer that is bound for reading in the place of that for drawing.
     pub(crate) fn with_read_framebuffer<R>(&mut self, work: impl FnOnce(&mut Self) -> R) -> R {
         let draw = self.framebuffers.draw;
-        self.set_draw_framebuffer(self.framebuffers.read);
+        self.set_read_framebuffer();
         let result = work(self);
         self.set_draw_framebuffer(draw);
         result
@@ -301,7 +380,8 @@ impl Context {
         let as_large = (0..2).all(|axis| side(source, axis) == side(destination, axis));
         let has_samples = self.reads_samples() || self.framebuffer.samples() > 1;
         demand!(self, as_large || !has_samples, gl::INVALID_OPERATION);
-        let opaque = !self.with_read_framebuffer(|context| context.has_alpha());
+        let from = color_place(self.read_buffer_name()).unwrap_or(0);
+        let opaque = !self.color_format_of(self.framebuffers.read, from).present()[3];
         self.with_read_planes(mask, |context, from| {
             context.carry_out();
             let region = context.scissored_region();
@@ -329,12 +409,12 @@ impl Context {
             });
             return work(self, &from);
         }
-        self.set_draw_framebuffer(read);
+        self.set_read_framebuffer();
         self.carry_out();
         let from = std::mem::take(&mut self.framebuffer);
         self.set_draw_framebuffer(draw);
         work(self, &from);
-        self.set_draw_framebuffer(read);
+        self.set_read_framebuffer();
         self.framebuffer = from;
         self.set_draw_framebuffer(draw);
     }

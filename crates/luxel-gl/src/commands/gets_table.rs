@@ -7,6 +7,7 @@ use crate::limits::{
     LOD_BIAS, MODELVIEW_DEPTH, MOST_SAMPLES, PIXEL_MAP, PROJECTION_DEPTH, SUBPIXEL_BITS,
     TEXTURE_3D_SIDE, TEXTURE_DEPTH, TEXTURE_SIDE, TEXTURE_UNITS, VIEWPORT,
 };
+use crate::objects::framebuffer::COLORS;
 use crate::state::arrays::VertexArray;
 use crate::state::attributes::Hints;
 use crate::state::pixel::PixelStore;
@@ -216,7 +217,7 @@ fn of_pixels(context: &Context, pname: u32) -> Option<Values> {
         gl::MAX_PIXEL_MAP_TABLE => Values::integer(PIXEL_MAP),
         gl::ZOOM_X => Values::real(context.state.pixel.zoom[0]),
         gl::ZOOM_Y => Values::real(context.state.pixel.zoom[1]),
-        gl::READ_BUFFER => Values::name(context.state.read_buffer.0),
+        gl::READ_BUFFER => Values::name(context.read_buffer_name()),
         _ => {
             return { context.state.pixel.transfer }
                 .factor(pname)
@@ -359,7 +360,7 @@ fn limit(context: &Context, pname: u32) -> Option<Values> {
         gl::READ_FRAMEBUFFER_BINDING => Values::name(context.framebuffers.read),
         gl::RENDERBUFFER_BINDING => Values::name(context.framebuffers.renderbuffer),
         gl::MAX_RENDERBUFFER_SIZE => Values::integer(VIEWPORT),
-        gl::MAX_COLOR_ATTACHMENTS => Values::integer(1),
+        gl::MAX_COLOR_ATTACHMENTS => Values::count(COLORS),
         gl::MAX_SAMPLES => Values::integer(MOST_SAMPLES),
         gl::RGBA_MODE => Values::boolean(true),
         gl::INDEX_MODE | gl::DOUBLEBUFFER | gl::STEREO => Values::boolean(false),

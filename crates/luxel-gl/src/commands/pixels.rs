@@ -92,7 +92,7 @@ impl Context {
             Components::Depth => has_depth,
             Components::Stencil => has_stencil,
             Components::DepthStencil => has_depth && has_stencil,
-            _ => true,
+            _ => self.reads_colors(),
         };
         if !there || self.reads_samples() {
             return Err(gl::INVALID_OPERATION);

@@ -21,6 +21,11 @@ impl Context {
 
     fn switch(&mut self, capability: u32, on: bool) {
         outside_begin!(self);
+        // EXT_vertex_array had no glEnableClientState.
+        if let Some(array) = self.client.arrays.named_mut(capability) {
+            array.enabled = on;
+            return;
+        }
         let unit = self.state.active_texture;
         demand!(self, self.state.enables.set(capability, on, unit), gl::INVALID_ENUM);
         if capability == gl::COLOR_MATERIAL && on {

@@ -50,13 +50,14 @@ impl Context {
             Ok(checked) => checked,
             Err(error) => return self.error.set(error),
         };
-        if format.is_depth() && !self.has_depth_and_stencil()[0] {
-            return self.error.set(gl::INVALID_OPERATION);
-        }
+        let there = if format.is_depth() { self.reads_depths() } else { self.reads_colors() };
+        demand!(self, there, gl::INVALID_OPERATION);
         demand!(self, !self.reads_samples(), gl::INVALID_OPERATION);
         let size = image.size.map(|side| side as u32);
         let budget = self.textures().budget.clone();
         let border = call.border as u32;
+        let replaced = self.active_texture_of(of.target);
+        self.leave_images(&replaced);
         let Some(mut image) = TextureImage::new(call.internal, format, size, border, &budget)
         else {
             return self.error.set(gl::OUT_OF_MEMORY);
@@ -90,13 +91,13 @@ impl Context {
             Ok(checked) => checked,
             Err(error) => return self.error.set(error),
         };
-        if is_depth && !self.has_depth_and_stencil()[0] {
-            return self.error.set(gl::INVALID_OPERATION);
-        }
+        let there = if is_depth { self.reads_depths() } else { self.reads_colors() };
+        demand!(self, there, gl::INVALID_OPERATION);
         demand!(self, !self.reads_samples(), gl::INVALID_OPERATION);
         let texture = self.active_texture_of(of.target);
         // All is read before it is written: the texture itself may be what is read.
         let texels = self.copied(is_depth, call.from, call.size);
+        self.leave_images(&texture);
         self.with_texture_at_rest(&texture, |context| {
             if let Some(image) = locked(&texture).image_mut(of.face, level) {
                 put(image, offset, &texels);

@@ -49,7 +49,7 @@ impl TexImage {
         }
         let kind = texel_format(self.format, self.data_type)?;
         if kind.components.has_depth() != format.is_depth()
-            || format.is_depth() && !matches!(image.target, Target::One | Target::Two)
+            || format.is_depth() && image.target == Target::Three
         {
             return Err(gl::INVALID_OPERATION);
         }
@@ -60,7 +60,7 @@ impl TexImage {
 /// A format of pixels that become texels.
 fn texel_format(format: u32, data_type: u32) -> Result<PixelFormat, u32> {
     let kind = PixelFormat::of_source(format, data_type)?;
-    if kind.components == Components::Stencil { Err(gl::INVALID_ENUM) } else { Ok(kind) }
+    if kind.components == Components::Stencil { Err(gl::INVALID_OPERATION) } else { Ok(kind) }
 }
 
 fn sides(size: [i32; 3]) -> [usize; 3] {
@@ -284,6 +284,9 @@ impl Context {
             }
             return;
         }
+        // What the image takes the place of is no longer needed, but by draws.
+        let replaced = self.active_texture_of(of.target);
+        self.leave_images(&replaced);
         let Some(mut image) = TextureImage::new(call.internal, format, size, border, &budget)
         else {
             return self.error.set(gl::OUT_OF_MEMORY);
@@ -399,6 +402,7 @@ impl Context {
         let layout = ImageLayout::new(store, sides(call.size), kind, call.dimensions);
         let texture = self.active_texture_of(of.target);
         let transfer = self.transfer();
+        self.leave_images(&texture);
         self.with_texture_at_rest(&texture, |context| {
             if let Some(image) = locked(&texture).image_mut(of.face, level) {
                 fill(image, offset, kind, &layout, (store.swap_bytes, &transfer), pixels);
@@ -447,7 +451,8 @@ fn generated(texture: &TextureHandle, target: Target) -> Result<(), u32> {
     let sizes: Vec<_> = (0..target.faces())
         .map(|face| texture.image(face, base).map(|image| (image.size, image.name)))
         .collect();
-    if sizes.iter().any(|size| *size != sizes[0]) {
+    let with_stencil = texture.image(0, base).is_some_and(|image| image.format.stencil);
+    if with_stencil || sizes.iter().any(|size| *size != sizes[0]) {
         return Err(gl::INVALID_OPERATION);
     }
     (0..target.faces()).try_for_each(|face| texture.generate_mipmap(face))

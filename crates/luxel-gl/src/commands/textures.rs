@@ -61,6 +61,7 @@ impl Context {
         for &name in names.iter().filter(|name| **name != 0) {
             let texture = self.textures().get(name);
             if let Some(texture) = texture {
+                self.leave_images(&texture);
                 self.with_texture_at_rest(&texture, |context| {
                     context.framebuffers.detach(|image| {
                         matches!(image, Attachment::Texture { texture: of, .. }

@@ -34,23 +34,39 @@ impl Attachment {
     }
 }
 
-/// A framebuffer object: one colour, depth, stencil.
+/// A framebuffer object: colours, of which one is drawn to and one is read, depth, stencil.
 #[derive(Clone, Debug)]
 pub(crate) struct FramebufferObject {
-    pub(crate) attachments: [Option<Attachment>; 3],
+    pub(crate) attachments: [Option<Attachment>; COLORS + 2],
     pub(crate) draw_buffer: u32,
     pub(crate) read_buffer: u32,
 }
 
-/// Places of attachments.
-pub(crate) const COLOR: usize = 0;
-pub(crate) const DEPTH: usize = 1;
-pub(crate) const STENCIL: usize = 2;
+/// How many colours can be attached, at the first places (`GL_MAX_COLOR_ATTACHMENTS`).
+pub(crate) const COLORS: usize = 8;
+/// Places of the other attachments.
+pub(crate) const DEPTH: usize = COLORS;
+pub(crate) const STENCIL: usize = COLORS + 1;
+
+/// The place of a colour by the buffer's name, 0 for `GL_NONE`; `None` for names that aren't an attachment's.
+pub(crate) fn color_place(buffer: u32) -> Option<usize> {
+    match buffer {
+        gl::NONE => Some(0),
+        _ => {
+            let place = buffer.wrapping_sub(gl::COLOR_ATTACHMENT0) as usize;
+            (place < COLORS).then_some(place)
+        }
+    }
+}
 
 /// The attachments that a name stands for; `None` for one that isn't one.
 pub(crate) fn attachments_named(name: u32) -> Option<&'static [usize]> {
+    const PLACES: [usize; COLORS] = [0, 1, 2, 3, 4, 5, 6, 7];
+    let color = (name != gl::NONE).then(|| color_place(name)).flatten();
+    if let Some(place) = color {
+        return PLACES.get(place..=place);
+    }
     Some(match name {
-        gl::COLOR_ATTACHMENT0 => &[COLOR],
         gl::DEPTH_ATTACHMENT => &[DEPTH],
         gl::STENCIL_ATTACHMENT => &[STENCIL],
         gl::DEPTH_STENCIL_ATTACHMENT => &[DEPTH, STENCIL],
@@ -61,7 +77,7 @@ pub(crate) fn attachments_named(name: u32) -> Option<&'static [usize]> {
 impl Default for FramebufferObject {
     fn default() -> Self {
         Self {
-            attachments: [None, None, None],
+            attachments: std::array::from_fn(|_| None),
             draw_buffer: gl::COLOR_ATTACHMENT0,
             read_buffer: gl::COLOR_ATTACHMENT0,
         }
@@ -75,6 +91,8 @@ pub(crate) struct FramebufferObjects {
     pub(crate) draw: u32,
     pub(crate) read: u32,
     pub(crate) renderbuffer: u32,
+    /// The place of the colour that is drawn to, or read for a moment.
+    pub(crate) color: usize,
     /// The buffers of the default framebuffer, while an object is bound for drawing.
     pub(crate) default_buffers: [u32; 2],
 }

@@ -242,14 +242,14 @@ impl<'a> PieceBuilder<'a> {
         Shape::Band { line, width: size, counter: None }
     }
 
-    /// size / sqrt(a + b d + c d^2), within the limits (section 3.3).
+    /// size / sqrt(a + b d + c d^2), within the limits (section 3.3); d is |z| in eye coordinates, as in Mesa.
     fn point_size(&self, vertex: u32) -> f32 {
         let [a, b, c] = self.state.attenuation;
         let mut size = self.state.point_size;
         if self.state.attenuation != [1.0, 0.0, 0.0]
-            && let Some([x, y, z, w]) = self.batch.vertices.eye.get(vertex as usize)
+            && let Some([_, _, z, w]) = self.batch.vertices.eye.get(vertex as usize)
         {
-            let distance = (x * x + y * y + z * z).sqrt() / if *w == 0.0 { 1.0 } else { w.abs() };
+            let distance = z.abs() / if *w == 0.0 { 1.0 } else { w.abs() };
             let divisor = a + b * distance + c * distance * distance;
             if divisor > 0.0 {
                 size /= divisor.sqrt();

@@ -113,6 +113,11 @@ impl Log {
         self.bytes > LOG_BYTES
     }
 
+    /// Counts bytes that only draws in the log hold from now on.
+    pub(crate) fn inherit(&mut self, bytes: usize) {
+        self.bytes += bytes;
+    }
+
     /// Whether there is nothing to be carried out.
     pub(crate) fn is_empty(&self) -> bool {
         self.items.is_empty()

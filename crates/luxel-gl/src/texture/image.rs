@@ -106,6 +106,11 @@ impl TextureImage {
         Some(Self { name, format, size, border, texels, stencil, charge })
     }
 
+    /// Bytes that it is charged with.
+    pub(super) fn bytes(&self) -> usize {
+        self.charge.bytes
+    }
+
     /// What the image is charged to.
     pub(super) fn budget(&self) -> &Budget {
         &self.charge.budget

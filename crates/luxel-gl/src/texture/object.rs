@@ -156,6 +156,14 @@ impl Texture {
         self.sampled.clone().flatten()
     }
 
+    /// Bytes of the images that something beside the texture looks at, as it is now: draws that wait.
+    pub(crate) fn bytes_in_use(&self) -> usize {
+        match &self.sampled {
+            Some(Some(sampled)) if Arc::strong_count(sampled) > 1 => sampled.bytes(),
+            _ => 0,
+        }
+    }
+
     /// Makes the levels of a face from its base level, as far as there are any. An error if there is no memory for them.
     pub(crate) fn generate_mipmap(&mut self, face: usize) -> Result<(), u32> {
         let Ok(base) = usize::try_from(self.parameters.base_level) else { return Ok(()) };

@@ -32,6 +32,11 @@ pub(crate) struct SampledTexture {
 }
 
 impl SampledTexture {
+    /// Bytes of its images.
+    pub(super) fn bytes(&self) -> usize {
+        self.faces.iter().flatten().map(|image| image.bytes()).sum()
+    }
+
     /// The texture that images and parameters make, if it is complete (section 3.8.10).
     pub(super) fn new(
         target: Target,
