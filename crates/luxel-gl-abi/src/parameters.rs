@@ -16,9 +16,10 @@ const COLORS: [u32; 9] = [
     0x2201, // GL_TEXTURE_ENV_COLOR
 ];
 
-/// The value of a command like glLightf: no value for a pname of several, which the method refuses.
+/// The value of a command like glLightf: of a pname of several values the first one, the others 0, as in Mesa; none for
+/// a name that isn't one.
 pub(crate) fn single(value: &f32, length: usize) -> &[f32] {
-    if length == 1 { std::slice::from_ref(value) } else { &[] }
+    if length > 0 { std::slice::from_ref(value) } else { &[] }
 }
 
 /// The values of a command like glLightiv.

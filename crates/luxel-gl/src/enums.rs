@@ -1,5 +1,6 @@
 //! Symbolic constants of the C interface, by their names without `GL_` (OpenGL 1.5).
 
+pub(crate) const ABGR: u32 = 0x8000;
 pub(crate) const ACCUM: u32 = 0x0100;
 pub(crate) const ACCUM_ALPHA_BITS: u32 = 0x0d5b;
 pub(crate) const ACCUM_BLUE_BITS: u32 = 0x0d5a;
@@ -31,6 +32,8 @@ pub(crate) const AND_INVERTED: u32 = 0x1504;
 pub(crate) const AND_REVERSE: u32 = 0x1502;
 pub(crate) const ARRAY_BUFFER: u32 = 0x8892;
 pub(crate) const ARRAY_BUFFER_BINDING: u32 = 0x8894;
+pub(crate) const ARRAY_ELEMENT_LOCK_COUNT: u32 = 0x81a9;
+pub(crate) const ARRAY_ELEMENT_LOCK_FIRST: u32 = 0x81a8;
 pub(crate) const ATTRIB_STACK_DEPTH: u32 = 0x0bb0;
 pub(crate) const AUTO_NORMAL: u32 = 0x0d80;
 pub(crate) const AUX0: u32 = 0x0409;
@@ -47,6 +50,7 @@ pub(crate) const BLEND_DST: u32 = 0x0be0;
 pub(crate) const BLEND_DST_ALPHA: u32 = 0x80ca;
 pub(crate) const BLEND_DST_RGB: u32 = 0x80c8;
 pub(crate) const BLEND_EQUATION: u32 = 0x8009;
+pub(crate) const BLEND_EQUATION_ALPHA: u32 = 0x883d;
 pub(crate) const BLEND_SRC: u32 = 0x0be1;
 pub(crate) const BLEND_SRC_ALPHA: u32 = 0x80cb;
 pub(crate) const BLEND_SRC_RGB: u32 = 0x80c9;

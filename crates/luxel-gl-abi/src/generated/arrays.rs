@@ -242,6 +242,11 @@ pub(crate) extern "C" fn glIsBuffer(buffer: u32) -> u8 {
 }
 
 #[unsafe(no_mangle)]
+pub(crate) extern "C" fn glLockArraysEXT(first: i32, count: i32) {
+    call(|gl, _| gl.lock_arrays(first, count));
+}
+
+#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glMapBuffer(target: u32, access: u32) -> *mut c_void {
     call(|gl, client| client.map_buffer(gl, target, access))
 }
@@ -358,6 +363,11 @@ pub(crate) unsafe extern "C" fn glTexCoordPointerEXT(
         let _ = count;
         gl.tex_coord_pointer(size, kind, stride, address(pointer))
     });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) extern "C" fn glUnlockArraysEXT() {
+    call(|gl, _| gl.unlock_arrays());
 }
 
 #[unsafe(no_mangle)]

@@ -25,6 +25,11 @@ pub(crate) extern "C" fn glBlendEquation(mode: u32) {
 }
 
 #[unsafe(no_mangle)]
+pub(crate) extern "C" fn glBlendEquationSeparate(mode_rgb: u32, mode_alpha: u32) {
+    call(|gl, _| gl.blend_equation_separate(mode_rgb, mode_alpha));
+}
+
+#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glBlendFunc(sfactor: u32, dfactor: u32) {
     call(|gl, _| gl.blend_func(sfactor, dfactor));
 }

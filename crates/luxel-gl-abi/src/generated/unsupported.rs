@@ -35,7 +35,6 @@ crate::entry::unsupported! {
     glBindVertexBuffer(bindingindex: u32, buffer: u32, offset: isize, stride: i32);
     glBindVertexBuffers(first: u32, count: i32, buffers: *const u32, offsets: *const isize, strides: *const i32);
     glBlendBarrier();
-    glBlendEquationSeparate(mode_rgb: u32, mode_alpha: u32);
     glBlendEquationSeparatei(buf: u32, mode_rgb: u32, mode_alpha: u32);
     glBlendEquationSeparateiARB(buf: u32, mode_rgb: u32, mode_alpha: u32);
     glBlendEquationi(buf: u32, mode: u32);
@@ -313,7 +312,6 @@ crate::entry::unsupported! {
     glLinkProgram(program: u32);
     glLinkProgramARB(program_obj: u32);
     glLoadMatrixx(m: *const i32);
-    glLockArraysEXT(first: i32, count: i32);
     glMaterialx(face: u32, pname: u32, param: i32);
     glMaterialxv(face: u32, pname: u32, param: *const i32);
     glMemoryBarrier(barriers: u32);
@@ -522,7 +520,6 @@ crate::entry::unsupported! {
     glUniformMatrix4fvARB(location: i32, count: i32, transpose: u8, value: *const f32);
     glUniformMatrix4x2fv(location: i32, count: i32, transpose: u8, value: *const f32);
     glUniformMatrix4x3fv(location: i32, count: i32, transpose: u8, value: *const f32);
-    glUnlockArraysEXT();
     glUseProgram(program: u32);
     glUseProgramObjectARB(program_obj: u32);
     glUseProgramStages(pipeline: u32, stages: u32, program: u32);

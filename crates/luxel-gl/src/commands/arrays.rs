@@ -137,6 +137,21 @@ impl Context {
         self.set_pointer(gl::TEXTURE_COORD_ARRAY, [size, stride], data_type, pointer, allowed);
     }
 
+    /// `glLockArraysEXT` (EXT_compiled_vertex_array): a promise that vertices stay as they are, of which nothing is made.
+    pub fn lock_arrays(&mut self, first: i32, count: i32) {
+        outside_begin!(self);
+        demand!(self, first >= 0 && count > 0, gl::INVALID_VALUE);
+        demand!(self, self.client.arrays.locked == [0; 2], gl::INVALID_OPERATION);
+        self.client.arrays.locked = [first, count];
+    }
+
+    /// `glUnlockArraysEXT`.
+    pub fn unlock_arrays(&mut self) {
+        outside_begin!(self);
+        demand!(self, self.client.arrays.locked != [0; 2], gl::INVALID_OPERATION);
+        self.client.arrays.locked = [0; 2];
+    }
+
     /// `glInterleavedArrays`: pointers and switches of the arrays that a format has (table 2.5).
     pub fn interleaved_arrays(&mut self, format: u32, stride: i32, pointer: usize) {
         outside_begin!(self);

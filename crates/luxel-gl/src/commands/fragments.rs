@@ -145,14 +145,22 @@ impl Context {
 
     /// `glBlendEquation`.
     pub fn blend_equation(&mut self, mode: u32) {
-        compile!(self, Command::BlendEquation(mode));
+        self.blend_equation_separate(mode, mode);
+    }
+
+    /// `glBlendEquationSeparate` (EXT_blend_equation_separate): of colours and of alphas.
+    pub fn blend_equation_separate(&mut self, colors: u32, alphas: u32) {
+        let modes = [colors, alphas];
+        compile!(self, Command::BlendEquation(modes));
         outside_begin!(self);
-        let is_equation = matches!(
-            mode,
-            gl::FUNC_ADD | gl::FUNC_SUBTRACT | gl::FUNC_REVERSE_SUBTRACT | gl::MIN | gl::MAX
-        );
-        demand!(self, is_equation, gl::INVALID_ENUM);
-        self.state.color.blend_equation = mode;
+        let are_equations = modes.iter().all(|mode| {
+            matches!(
+                *mode,
+                gl::FUNC_ADD | gl::FUNC_SUBTRACT | gl::FUNC_REVERSE_SUBTRACT | gl::MIN | gl::MAX
+            )
+        });
+        demand!(self, are_equations, gl::INVALID_ENUM);
+        self.state.color.blend_equations = modes;
     }
 
     /// `glBlendColor`, clamped to 0..1.

@@ -170,7 +170,9 @@ impl Context {
             Command::StencilOp([fail, depth_fail, pass]) => self.stencil_op(fail, depth_fail, pass),
             Command::StencilMask(mask) => self.stencil_mask(mask),
             Command::BlendFunc([s, d, sa, da]) => self.blend_func_separate(s, d, sa, da),
-            Command::BlendEquation(mode) => self.blend_equation(mode),
+            Command::BlendEquation([colors, alphas]) => {
+                self.blend_equation_separate(colors, alphas);
+            }
             Command::BlendColor(color) => self.blend_color(color),
             Command::LogicOp(operation) => self.logic_op(operation),
             Command::IndexMask(mask) => self.index_mask(mask),

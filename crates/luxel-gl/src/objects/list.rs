@@ -70,7 +70,7 @@ pub(crate) enum Command {
     StencilOp([u32; 3]),
     StencilMask(u32),
     BlendFunc([u32; 4]),
-    BlendEquation(u32),
+    BlendEquation([u32; 2]),
     BlendColor([f32; 4]),
     LogicOp(u32),
     IndexMask(u32),

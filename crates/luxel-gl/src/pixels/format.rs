@@ -57,6 +57,7 @@ impl Components {
             gl::RGBA => Self::Colors(&[0, 1, 2, 3]),
             gl::BGR => Self::Colors(&[2, 1, 0]),
             gl::BGRA => Self::Colors(&[2, 1, 0, 3]),
+            gl::ABGR => Self::Colors(&[3, 2, 1, 0]),
             gl::LUMINANCE => Self::Luminance { alpha: false },
             gl::LUMINANCE_ALPHA => Self::Luminance { alpha: true },
             gl::DEPTH_COMPONENT => Self::Depth,
@@ -169,9 +170,11 @@ impl PixelFormat {
         if format == gl::COLOR_INDEX && Elements::named(data_type).is_some() {
             return Err(gl::INVALID_OPERATION);
         }
-        let components = Components::named(format).ok_or(gl::INVALID_ENUM)?;
         let elements = Elements::named(data_type).ok_or(gl::INVALID_ENUM)?;
         let is_packed = matches!(elements, Elements::Packed { .. } | Elements::FloatAndByte);
+        // A packed type beside a format that isn't any is a mismatch first, as in Mesa.
+        let other = if is_packed { gl::INVALID_OPERATION } else { gl::INVALID_ENUM };
+        let components = Components::named(format).ok_or(other)?;
         let fit = match (components, elements) {
             (Components::DepthStencil, _) => elements.is_of_depth_and_stencil(),
             // Three components only red first; of four also blue first.

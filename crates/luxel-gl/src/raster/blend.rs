@@ -60,16 +60,17 @@ pub(super) fn blended<S: Simd>(
     let mut colors = *source;
     for (channel, color) in colors.iter_mut().enumerate() {
         let (s, d) = (source[channel], destination[channel]);
-        let at = if channel == 3 { 2 } else { 0 };
-        let (from, to) = (blend.factors[at], blend.factors[at + 1]);
-        let sum = if blend.equation == gl::MIN {
+        let of_alpha = usize::from(channel == 3);
+        let equation = blend.equations[of_alpha];
+        let (from, to) = (blend.factors[2 * of_alpha], blend.factors[2 * of_alpha + 1]);
+        let sum = if equation == gl::MIN {
             s.minimum(d)
-        } else if blend.equation == gl::MAX {
+        } else if equation == gl::MAX {
             s.maximum(d)
         } else {
             let s = s * factor(from, channel, source, destination, &blend.constant);
             let d = d * factor(to, channel, source, destination, &blend.constant);
-            match blend.equation {
+            match equation {
                 gl::FUNC_SUBTRACT => s - d,
                 gl::FUNC_REVERSE_SUBTRACT => d - s,
                 _ => s + d,

@@ -46,7 +46,8 @@ pub(crate) struct StencilTest {
 /// Blending.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Blend {
-    pub(crate) equation: u32,
+    /// Of colours, then of alphas.
+    pub(crate) equations: [u32; 2],
     /// Factors of the source's and destination's colours, then of their alphas.
     pub(crate) factors: [u32; 4],
     pub(crate) constant: [f32; 4],
@@ -77,7 +78,7 @@ impl Pipeline {
         let logic_op =
             (has(gl::COLOR_LOGIC_OP) && color.logic_op != gl::COPY).then_some(color.logic_op);
         let blend = Blend {
-            equation: color.blend_equation,
+            equations: color.blend_equations,
             factors: color.blend.map(|factor| in_format(factor, buffers.color)),
             constant: color.blend_color,
         };
@@ -137,7 +138,8 @@ fn in_format(factor: u32, format: BaseFormat) -> u32 {
 impl Blend {
     /// Whether the source takes the place of what is there.
     fn replaces(&self) -> bool {
-        self.equation == gl::FUNC_ADD && self.factors == [gl::ONE, gl::ZERO, gl::ONE, gl::ZERO]
+        self.equations == [gl::FUNC_ADD; 2]
+            && self.factors == [gl::ONE, gl::ZERO, gl::ONE, gl::ZERO]
     }
 }
 

@@ -59,6 +59,8 @@ pub(crate) struct Arrays {
     /// What is bound to `GL_ARRAY_BUFFER` and `GL_ELEMENT_ARRAY_BUFFER`.
     pub(crate) array_buffer: u32,
     pub(crate) element_buffer: u32,
+    /// The first locked vertex and how many; nothing is locked if there are none.
+    pub(crate) locked: [i32; 2],
 }
 
 impl Default for Arrays {
@@ -75,6 +77,7 @@ impl Default for Arrays {
             unit: 0,
             array_buffer: 0,
             element_buffer: 0,
+            locked: [0; 2],
         }
     }
 }

@@ -51,7 +51,8 @@ pub(crate) struct ColorBuffer {
     pub(crate) alpha_reference: f32,
     /// Factors: of the source's colour, the destination's, and of both alphas.
     pub(crate) blend: [u32; 4],
-    pub(crate) blend_equation: u32,
+    /// Of colours, then of alphas.
+    pub(crate) blend_equations: [u32; 2],
     pub(crate) blend_color: [f32; 4],
     pub(crate) logic_op: u32,
     pub(crate) mask: [bool; 4],
@@ -102,7 +103,7 @@ impl Default for ColorBuffer {
             alpha_func: gl::ALWAYS,
             alpha_reference: 0.0,
             blend: [gl::ONE, gl::ZERO, gl::ONE, gl::ZERO],
-            blend_equation: gl::FUNC_ADD,
+            blend_equations: [gl::FUNC_ADD; 2],
             blend_color: [0.0; 4],
             logic_op: gl::COPY,
             mask: [true; 4],

@@ -248,3 +248,43 @@ fn table_6_7_the_client_stack_restores_arrays_with_the_active_unit() {
     context.client_active_texture(0x84c2);
     assert_eq!(context.get(TEXTURE_COORD_ARRAY).unwrap().to_i32(0), 0);
 }
+
+#[test]
+fn ext_vertex_array_switches_arrays_by_gl_enable_too() {
+    let mut context = canvas(16, 16);
+    context.enable(VERTEX_ARRAY);
+    context.enable(COLOR_ARRAY);
+    assert!(context.is_enabled(VERTEX_ARRAY) && context.is_enabled(COLOR_ARRAY));
+    context.disable(COLOR_ARRAY);
+    assert!(!context.is_enabled(COLOR_ARRAY));
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+}
+
+#[test]
+fn section_2_8_a_negative_count_of_several_draws_none() {
+    let bytes = interleaved();
+    let memory = Memory(bytes);
+    let mut context = canvas(16, 16);
+    context.vertex_pointer(2, gl::FLOAT, 12, START);
+    context.enable_client_state(VERTEX_ARRAY);
+    context.multi_draw_arrays(gl::TRIANGLES, &[0, 0], &[3, -1], &memory);
+    assert_eq!(context.get_error(), gl::INVALID_VALUE);
+    context.multi_draw_elements(gl::TRIANGLES, &[3, -1], gl::UNSIGNED_BYTE, &[START; 2], &memory);
+    assert_eq!(context.get_error(), gl::INVALID_VALUE);
+    assert!(pixels(&mut context).iter().all(|pixel| *pixel == [0; 4]));
+}
+
+#[test]
+fn ext_compiled_vertex_array_locks_once() {
+    let mut context = canvas(1, 1);
+    context.unlock_arrays();
+    assert_eq!(context.get_error(), gl::INVALID_OPERATION);
+    context.lock_arrays(0, 0);
+    assert_eq!(context.get_error(), gl::INVALID_VALUE);
+    context.lock_arrays(2, 3);
+    assert_eq!([0x81A8, 0x81A9].map(|name| context.get(name).unwrap().to_i32(0)), [2, 3]);
+    context.lock_arrays(0, 1);
+    assert_eq!(context.get_error(), gl::INVALID_OPERATION);
+    context.unlock_arrays();
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+}

@@ -1,7 +1,7 @@
 //! Display lists (section 5.4).
 
 use crate::canvas::{canvas, draw, gl, pixels};
-use luxel_gl::{Configuration, Context};
+use luxel_gl::{Configuration, Context, NoClientMemory};
 
 /// A scene of several commands, with a colour that it leaves behind.
 fn scene(context: &mut Context) {
@@ -255,4 +255,26 @@ fn section_5_4_long_primitives_within_others_are_an_error_and_vertices() {
         pixels(&mut context)
     };
     assert!(drawn(true) == drawn(false));
+}
+
+#[test]
+fn section_5_4_a_list_repeats_the_errors_of_commands_between_begin_and_end() {
+    let commands: [(&str, fn(&mut Context)); 3] = [
+        ("glBitmap", |context| context.bitmap([1, 1], [0.0; 2], [0.0; 2], Some(&[0x80]))),
+        ("glDrawArrays", |context| context.draw_arrays(gl::POINTS, 0, 1, &NoClientMemory)),
+        ("glDrawElements", |context| {
+            context.draw_elements(gl::POINTS, 0, gl::UNSIGNED_INT, 0, &NoClientMemory);
+        }),
+    ];
+    for (name, command) in commands {
+        let mut context = canvas(4, 4);
+        context.new_list(1, gl::COMPILE_AND_EXECUTE);
+        context.begin(gl::POINTS);
+        command(&mut context);
+        context.end();
+        context.end_list();
+        assert_eq!(context.get_error(), gl::INVALID_OPERATION, "{name} executed");
+        context.call_list(1);
+        assert_eq!(context.get_error(), gl::INVALID_OPERATION, "{name} called");
+    }
 }

@@ -91,7 +91,7 @@ fn section_2_5_arguments_that_are_wrong_have_these_errors() {
         (("glLight exponent", |c| c.light(gl::LIGHT0, 0x1205, &[129.0])), gl::INVALID_VALUE),
         (("glLight cutoff", |c| c.light(gl::LIGHT0, 0x1206, &[91.0])), gl::INVALID_VALUE),
         (("glLight attenuation", |c| c.light(gl::LIGHT0, 0x1207, &[-1.0])), gl::INVALID_VALUE),
-        (("glLightf of a colour", |c| c.light(gl::LIGHT0, 0x1200, &[])), gl::INVALID_ENUM),
+        (("glLightf of a colour", |c| c.light(gl::LIGHT0, 0x1200, &[1.0])), 0),
         (("glMaterial", |c| c.material(0x0404, 0x1601, &[128.5])), gl::INVALID_VALUE),
         (("glLineWidth", |c| c.line_width(0.0)), gl::INVALID_VALUE),
         (("glPointSize", |c| c.point_size(f32::NAN)), gl::INVALID_VALUE),

@@ -142,3 +142,58 @@ fn section_3_6_5_pixels_are_scaled_biased_and_mapped_wherever_they_go() {
     assert_eq!(pixels(&mut context)[..2], [[255, 51, 0, 0], [0, 0, 0, 0]]);
     assert_eq!(context.get_error(), gl::NO_ERROR);
 }
+
+const COLOR_INDEX: u32 = 0x1900;
+const BITMAP: u32 = 0x1A00;
+const I_TO_R: u32 = 0x0C72;
+const I_TO_A: u32 = 0x0C75;
+
+#[test]
+fn section_3_6_5_indices_and_bits_take_their_colours_from_the_maps() {
+    let mut context = canvas(4, 1);
+    context.pixel_map(I_TO_R, 4, &[0.0, 0.2, 0.4, 1.0]);
+    context.pixel_map(I_TO_A, 1, &[1.0]);
+    let expected = [[0, 0, 0, 255], [51, 0, 0, 255], [102, 0, 0, 255], [255, 0, 0, 255]];
+    let draw = |context: &mut Context, data_type: u32, bytes: &[u8]| {
+        context.clear(gl::COLOR_BUFFER_BIT);
+        context.window_pos([0.0; 3]);
+        context.draw_pixels([4, 1], COLOR_INDEX, data_type, bytes);
+        pixels(context)
+    };
+    assert_eq!(draw(&mut context, gl::UNSIGNED_BYTE, &[0, 1, 2, 7]), expected);
+    // Bits are indices 0 and 1, the highest first; of lists the same.
+    let bits = [0b1010_0000];
+    assert_eq!(context.draw_pixels_bytes([4, 1], COLOR_INDEX, BITMAP), 1);
+    let drawn = draw(&mut context, BITMAP, &bits);
+    assert_eq!(drawn, [expected[1], expected[0], expected[1], expected[0]]);
+    context.new_list(1, gl::COMPILE);
+    context.draw_pixels([4, 1], COLOR_INDEX, BITMAP, &bits);
+    context.end_list();
+    context.clear(gl::COLOR_BUFFER_BIT);
+    context.window_pos([0.0; 3]);
+    context.call_list(1);
+    assert_eq!(pixels(&mut context), drawn);
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+    for (format, data_type, error) in [
+        (COLOR_INDEX, 0x8035, gl::INVALID_OPERATION),
+        (gl::RGBA, BITMAP, gl::INVALID_ENUM),
+        (0x8227, 0x8035, gl::INVALID_OPERATION),
+    ] {
+        context.draw_pixels([4, 1], format, data_type, &[0; 64]);
+        assert_eq!(context.get_error(), error, "{format:#x} {data_type:#x}");
+    }
+}
+
+#[test]
+fn section_3_7_a_bitmap_at_a_pixels_edge_begins_with_that_pixel() {
+    // The transform in f32 takes some of these positions to just below the edge.
+    for width in [7, 99, 400, 999] {
+        let mut context = canvas(width, 1);
+        for x in 0..width {
+            context.raster_pos([x as f32, 0.0, 0.0, 1.0]);
+            context.bitmap([1, 1], [0.0; 2], [0.0; 2], Some(&[0x80]));
+            let covered = pixels(&mut context).iter().filter(|pixel| **pixel != BLACK).count();
+            assert_eq!(covered, x as usize + 1, "{x} of {width}");
+        }
+    }
+}

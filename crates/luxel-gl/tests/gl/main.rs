@@ -8,6 +8,7 @@ mod arrays;
 mod attached_images;
 mod canvas;
 mod clip_control;
+mod color_formats;
 mod coverage;
 mod depth;
 mod display_lists;

@@ -267,3 +267,48 @@ fn what_a_part_of_an_image_reads_is_known_while_a_list_is_compiled() {
         assert_eq!(read(&context, TEXTURE_2D, 0, [-1, 2]), 0);
     }
 }
+
+#[test]
+fn section_3_8_1_draws_of_textures_that_are_gone_are_carried_out_before_memory_ends() {
+    let mut context = textured(8);
+    context.clear_color([1.0; 4]);
+    context.clear(gl::COLOR_BUFFER_BIT);
+    // More than all images together may take, if draws that wait kept them.
+    for name in 1..=1100 {
+        context.bind_texture(TEXTURE_2D, name);
+        context.tex_parameter(TEXTURE_2D, MIN_FILTER, &[NEAREST as f32]);
+        let size = [1024; 2];
+        context.tex_image_2d(TEXTURE_2D, 0, 4, size, 0, gl::RGBA, gl::UNSIGNED_BYTE, None);
+        square(&mut context, 8.0, 1.0);
+        context.delete_textures(1, &[name]);
+    }
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+    assert_eq!(pixels(&mut context), vec![[0; 4]; 64]);
+}
+
+#[test]
+fn section_6_1_4_luminance_of_colours_is_their_red() {
+    let mut context = textured(1);
+    image(&mut context, 0, gl::RGBA, 1, &[[100, 60, 30, 200]]);
+    let mut found = [0; 2];
+    context.get_tex_image(TEXTURE_2D, 0, 0x190A, gl::UNSIGNED_BYTE, &mut found);
+    assert_eq!(found, [100, 200]);
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+}
+
+#[test]
+fn section_3_8_1_texels_are_made_of_indices_and_bits() {
+    let mut context = textured(2);
+    context.pixel_map(0x0C73, 2, &[0.0, 1.0]);
+    context.pixel_map(0x0C75, 1, &[1.0]);
+    context.pixel_store(0x0CF5, 1.0);
+    let bits = [0b0100_0000, 0b1000_0000];
+    context.tex_image_2d(TEXTURE_2D, 0, 4, [2, 2], 0, 0x1900, 0x1A00, Some(&bits));
+    square(&mut context, 2.0, 1.0);
+    let (off, on) = ([0, 0, 0, 255], [0, 255, 0, 255]);
+    assert_eq!(pixels(&mut context), [off, on, on, off]);
+    context.tex_sub_image(2, TEXTURE_2D, 0, [0; 3], [2, 1, 1], 0x1900, gl::UNSIGNED_BYTE, &[1, 0]);
+    square(&mut context, 2.0, 1.0);
+    assert_eq!(pixels(&mut context), [on, off, on, off]);
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+}
