@@ -14,7 +14,6 @@ mod framebuffers;
 mod lighting;
 mod lists;
 mod modes;
-mod pending;
 mod pixels;
 mod primitives;
 mod queries;

@@ -10,7 +10,6 @@ use super::framebuffers::*;
 use super::lighting::*;
 use super::lists::*;
 use super::modes::*;
-use super::pending::*;
 use super::pixels::*;
 use super::primitives::*;
 use super::queries::*;

@@ -57,6 +57,63 @@ pub(crate) unsafe extern "C" fn glCompressedTexImage3D(
 }
 
 #[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexSubImage1D(
+    target: u32,
+    level: i32,
+    xoffset: i32,
+    width: i32,
+    format: u32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = (target, level, xoffset, width, format, image_size, data);
+        gl.compressed_tex_sub_image()
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexSubImage2D(
+    target: u32,
+    level: i32,
+    xoffset: i32,
+    yoffset: i32,
+    width: i32,
+    height: i32,
+    format: u32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = (target, level, xoffset, yoffset, width, height, format, image_size, data);
+        gl.compressed_tex_sub_image()
+    });
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glCompressedTexSubImage3D(
+    target: u32,
+    level: i32,
+    xoffset: i32,
+    yoffset: i32,
+    zoffset: i32,
+    width: i32,
+    height: i32,
+    depth: i32,
+    format: u32,
+    image_size: i32,
+    data: *const c_void,
+) {
+    call(|gl, _| {
+        let _ = (
+            target, level, xoffset, yoffset, zoffset, width, height, depth, format, image_size,
+            data,
+        );
+        gl.compressed_tex_sub_image()
+    });
+}
+
+#[unsafe(no_mangle)]
 pub(crate) extern "C" fn glCopyTexImage1D(
     target: u32,
     level: i32,
@@ -140,6 +197,14 @@ pub(crate) extern "C" fn glCopyTexSubImage3D(
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn glGenerateMipmap(target: u32) {
     call(|gl, _| gl.generate_mipmap(target));
+}
+
+#[unsafe(no_mangle)]
+pub(crate) unsafe extern "C" fn glGetCompressedTexImage(target: u32, level: i32, img: *mut c_void) {
+    call(|gl, _| {
+        let _ = img;
+        gl.get_compressed_tex_image(target, level)
+    });
 }
 
 #[unsafe(no_mangle)]
@@ -450,7 +515,11 @@ aliases! {
     unsafe glCompressedTexImage1DARB = glCompressedTexImage1D(target: u32, level: i32, internalformat: u32, width: i32, border: i32, image_size: i32, data: *const c_void);
     unsafe glCompressedTexImage2DARB = glCompressedTexImage2D(target: u32, level: i32, internalformat: u32, width: i32, height: i32, border: i32, image_size: i32, data: *const c_void);
     unsafe glCompressedTexImage3DARB = glCompressedTexImage3D(target: u32, level: i32, internalformat: u32, width: i32, height: i32, depth: i32, border: i32, image_size: i32, data: *const c_void);
+    unsafe glCompressedTexSubImage1DARB = glCompressedTexSubImage1D(target: u32, level: i32, xoffset: i32, width: i32, format: u32, image_size: i32, data: *const c_void);
+    unsafe glCompressedTexSubImage2DARB = glCompressedTexSubImage2D(target: u32, level: i32, xoffset: i32, yoffset: i32, width: i32, height: i32, format: u32, image_size: i32, data: *const c_void);
+    unsafe glCompressedTexSubImage3DARB = glCompressedTexSubImage3D(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, image_size: i32, data: *const c_void);
     glCopyTexSubImage3DEXT = glCopyTexSubImage3D(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, x: i32, y: i32, width: i32, height: i32);
     glGenerateMipmapEXT = glGenerateMipmap(target: u32);
+    unsafe glGetCompressedTexImageARB = glGetCompressedTexImage(target: u32, level: i32, img: *mut c_void);
     unsafe glTexSubImage3DEXT = glTexSubImage3D(target: u32, level: i32, xoffset: i32, yoffset: i32, zoffset: i32, width: i32, height: i32, depth: i32, format: u32, kind: u32, pixels: *const c_void);
 }

@@ -328,6 +328,19 @@ impl Context {
         self.error.set(gl::INVALID_ENUM);
     }
 
+    /// `glCompressedTexSubImage`: the same.
+    pub fn compressed_tex_sub_image(&mut self) {
+        self.compressed_tex_image();
+    }
+
+    /// `glGetCompressedTexImage`: no image is compressed, so a level that can be has `GL_INVALID_OPERATION`.
+    pub fn get_compressed_tex_image(&mut self, target: u32, level: i32) {
+        outside_begin!(self);
+        let of = ImageTarget::named(target).filter(|image| !image.proxy);
+        let checked = of.ok_or(gl::INVALID_ENUM).and_then(|of| level_of(of.target, level));
+        self.error.set(checked.err().unwrap_or(gl::INVALID_OPERATION));
+    }
+
     /// `glGenerateMipmap`: the levels below the base level of the bound texture.
     pub fn generate_mipmap(&mut self, target: u32) {
         outside_begin!(self);

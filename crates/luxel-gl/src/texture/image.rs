@@ -55,7 +55,7 @@ impl Drop for Charge {
 /// An image with its format.
 #[derive(Clone, Debug)]
 pub(crate) struct TextureImage {
-    /// The internal format that the caller gave.
+    /// The internal format as queries return it.
     pub(crate) name: u32,
     pub(crate) format: InternalFormat,
     /// Width, height and depth, borders included; 1 where there is no such dimension.
@@ -103,7 +103,7 @@ impl TextureImage {
         };
         let stencil =
             if format.stencil { Some(Plane::new([size[0], size[1]], 1, 0)?) } else { None };
-        Some(Self { name, format, size, border, texels, stencil, charge })
+        Some(Self { name: format.queried(name), format, size, border, texels, stencil, charge })
     }
 
     /// Bytes that it is charged with.

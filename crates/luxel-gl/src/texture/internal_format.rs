@@ -47,6 +47,19 @@ pub(crate) fn is_compressed(name: u32) -> bool {
 }
 
 impl BaseFormat {
+    /// The name of a format that has these components in no particular form.
+    fn name(self) -> u32 {
+        match self {
+            Self::Alpha => gl::ALPHA,
+            Self::Luminance => gl::LUMINANCE,
+            Self::LuminanceAlpha => gl::LUMINANCE_ALPHA,
+            Self::Intensity => gl::INTENSITY,
+            Self::Rgb => gl::RGB,
+            Self::Rgba => gl::RGBA,
+            Self::Depth => gl::DEPTH_COMPONENT,
+        }
+    }
+
     /// Which of red, green, blue and alpha a pixel of that format has, where colours are drawn to: luminances and
     /// intensities are red (ARB_framebuffer_object, table 3.15).
     pub(crate) fn present(self) -> [bool; 4] {
@@ -122,6 +135,12 @@ impl InternalFormat {
             }
             _ => None,
         }
+    }
+
+    /// The name that queries return for an image of that name: of generic compressed ones, which aren't compressed, that
+    /// of their components (section 3.8.1).
+    pub(crate) fn queried(self, name: u32) -> u32 {
+        if is_compressed(name) { self.base.name() } else { name }
     }
 
     /// Red, green, blue, alpha as the components that the base format has (table 3.15), in the form in which textures are
