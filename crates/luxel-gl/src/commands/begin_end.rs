@@ -40,8 +40,21 @@ impl Context {
     }
 
     /// `glVertex`: x, y, z, w. Outside of `glBegin` and `glEnd` it has no effect.
-    #[inline]
+    #[inline(always)]
     pub fn vertex(&mut self, position: [f32; 4]) {
+        // The coordinates go straight to where they stay: a copy in between would wait for their single stores.
+        let usual = !self.is_compiling()
+            && self.stream.is_open()
+            && self.stream.vertices.push_usual(position, PART_VERTICES - 1);
+        if !usual {
+            let [x, y, z, w] = position;
+            self.any_vertex(x, y, z, w);
+        }
+    }
+
+    #[inline(never)]
+    fn any_vertex(&mut self, x: f32, y: f32, z: f32, w: f32) {
+        let position = [x, y, z, w];
         record!(self, |list| list.vertex(position));
         if self.stream.is_open() {
             self.stream.vertices.push(position);

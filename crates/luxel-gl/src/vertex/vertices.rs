@@ -16,11 +16,19 @@ pub(crate) struct Vertices {
     pub(crate) edge_flag: Column<bool>,
     /// Of the units up to the last one that has any.
     tex_coords: Vec<Column<[f32; 4]>>,
-    /// The units whose coordinates vary, a bit each.
-    varying_units: u32,
+    /// The attributes that vary, a bit each.
+    varying: u32,
     /// Whether an attribute was set.
     has_attributes: bool,
 }
+
+/// Bits of attributes; units follow from `UNITS` on.
+const COLOR: u32 = 1;
+const SECONDARY: u32 = 2;
+const NORMAL: u32 = 4;
+const FOG_COORD: u32 = 8;
+const EDGE_FLAG: u32 = 16;
+const UNITS: u32 = 5;
 
 /// Does the same to every attribute.
 macro_rules! each_column {
@@ -45,7 +53,7 @@ impl Vertices {
     /// Begins a run anew, with what is current.
     pub(crate) fn restart(&mut self, current: &Current) {
         self.positions.clear();
-        self.varying_units = 0;
+        self.varying = 0;
         self.has_attributes = true;
         self.color.restart(current.color);
         self.secondary.restart(current.secondary);
@@ -74,9 +82,9 @@ impl Vertices {
         replace(&mut vertices.edge_flag, fetched.edge_flags);
         replace(&mut vertices.fog_coord, fetched.fog_coords);
         for (unit, values) in fetched.tex_coords.into_iter().enumerate() {
-            vertices.varying_units |= u32::from(values.is_some()) << unit;
             replace(&mut vertices.tex_coords[unit], values);
         }
+        vertices.note_varying();
         vertices
     }
 
@@ -96,46 +104,94 @@ impl Vertices {
         self.is_empty() && !self.has_attributes
     }
 
+    /// Appends a vertex, in the usual case: no other attribute than the normal varies, and there is room for it below a
+    /// limit. False in others, and nothing is done.
+    #[inline(always)]
+    pub(crate) fn push_usual(&mut self, position: [f32; 4], limit: usize) -> bool {
+        let room = self.positions.capacity().min(limit);
+        if self.positions.len() >= room || self.varying & !NORMAL != 0 {
+            return false;
+        }
+        self.positions.push(position);
+        self.normal.push();
+        true
+    }
+
     /// Appends a vertex with the attributes of now.
-    #[inline]
     pub(crate) fn push(&mut self, position: [f32; 4]) {
         self.positions.push(position);
+        if self.varying != 0 {
+            self.push_attributes();
+        }
+    }
+
+    fn push_attributes(&mut self) {
+        self.normal.push();
+        if self.varying == NORMAL {
+            return;
+        }
         self.color.push();
         self.secondary.push();
-        self.normal.push();
         self.fog_coord.push();
         self.edge_flag.push();
-        if self.varying_units != 0 {
-            for unit in luxel_math::lanes_of(self.varying_units) {
-                self.tex_coords[unit].push();
-            }
+        for unit in luxel_math::lanes_of(self.varying >> UNITS) {
+            self.tex_coords[unit].push();
         }
+    }
+
+    /// Finds out which attributes vary.
+    fn note_varying(&mut self) {
+        let columns = [
+            self.color.varies(),
+            self.secondary.varies(),
+            self.normal.varies(),
+            self.fog_coord.varies(),
+            self.edge_flag.varies(),
+        ];
+        let units = self.tex_coords.iter().map(Column::varies);
+        let all = columns.into_iter().chain(units).enumerate();
+        self.varying = all.fold(0, |bits, (at, varies)| bits | u32::from(varies) << at);
     }
 
     #[inline]
     pub(crate) fn set_color(&mut self, color: [f32; 4]) {
         self.color.set(color, self.positions.len());
+        if self.color.varies() {
+            self.varying |= COLOR;
+        }
         self.has_attributes = true;
     }
 
     pub(crate) fn set_secondary(&mut self, color: [f32; 3]) {
         self.secondary.set(color, self.positions.len());
+        if self.secondary.varies() {
+            self.varying |= SECONDARY;
+        }
         self.has_attributes = true;
     }
 
     #[inline]
     pub(crate) fn set_normal(&mut self, normal: [f32; 3]) {
         self.normal.set(normal, self.positions.len());
+        if self.normal.varies() {
+            self.varying |= NORMAL;
+        }
         self.has_attributes = true;
     }
 
     pub(crate) fn set_fog_coord(&mut self, coordinate: f32) {
         self.fog_coord.set(coordinate, self.positions.len());
+        if self.fog_coord.varies() {
+            self.varying |= FOG_COORD;
+        }
         self.has_attributes = true;
     }
 
     pub(crate) fn set_edge_flag(&mut self, flag: bool) {
         self.edge_flag.set(flag, self.positions.len());
+        if self.edge_flag.varies() {
+            self.varying |= EDGE_FLAG;
+        }
         self.has_attributes = true;
     }
 
@@ -146,7 +202,7 @@ impl Vertices {
         }
         let column = &mut self.tex_coords[unit];
         column.set(coordinates, self.positions.len());
-        self.varying_units |= u32::from(column.varies()) << unit;
+        self.varying |= u32::from(column.varies()) << (UNITS + unit as u32);
         self.has_attributes = true;
     }
 
@@ -168,8 +224,8 @@ impl Vertices {
         let unset = Column::default();
         for (unit, own) in self.tex_coords.iter_mut().enumerate() {
             own.append(count, other.tex_coords.get(unit).unwrap_or(&unset), more);
-            self.varying_units |= u32::from(own.varies()) << unit;
         }
+        self.note_varying();
     }
 
     /// Takes the attributes of a display list that has no vertices for these.
@@ -180,10 +236,10 @@ impl Vertices {
         self.normal.take(count, &other.normal);
         self.fog_coord.take(count, &other.fog_coord);
         self.edge_flag.take(count, &other.edge_flag);
-        for (unit, (own, other)) in self.tex_coords.iter_mut().zip(&other.tex_coords).enumerate() {
+        for (own, other) in self.tex_coords.iter_mut().zip(&other.tex_coords) {
             own.take(count, other);
-            self.varying_units |= u32::from(own.varies()) << unit;
         }
+        self.note_varying();
     }
 
     /// Puts the attributes of now, as far as they have been set, into what is current.
@@ -235,7 +291,7 @@ impl Vertices {
             fog_coord: self.fog_coord.gathered(places),
             edge_flag: self.edge_flag.gathered(places),
             tex_coords: self.tex_coords.iter().map(|column| column.gathered(places)).collect(),
-            varying_units: self.varying_units,
+            varying: self.varying,
             has_attributes: self.has_attributes,
         }
     }
@@ -251,6 +307,7 @@ impl Vertices {
         for (column, coordinates) in self.tex_coords.iter_mut().zip(current.tex_coords) {
             column.complete(coordinates);
         }
+        self.note_varying();
     }
 
     /// Keeps the first vertices.
