@@ -72,7 +72,11 @@ impl Context {
                 self.log.spare().put_vertices(processed);
             }
             gl::FEEDBACK => {
-                process(self, Needs { eye: true, colors: true, textures: 1 }, &mut processed);
+                process(
+                    self,
+                    Needs { window: true, eye: true, colors: true, textures: 1 },
+                    &mut processed,
+                );
                 let window = self.state.window_transform();
                 let mut visitor =
                     FeedbackVisitor::new(&state, &processed, window, &mut self.feedback);
@@ -82,7 +86,8 @@ impl Context {
             _ => {
                 let Some((pipeline, viewport)) = self.begin_draw() else { return };
                 let textures = pipeline.textures.as_ref().map_or(0, TextureStages::units);
-                let needs = Needs { eye: state.needs_eye(), colors: true, textures };
+                let eye = state.needs_eye();
+                let needs = Needs { window: true, eye, colors: true, textures };
                 process(self, needs, &mut processed);
                 let batch = Batch::new(pipeline, viewport, scale, processed);
                 let spare = self.log.spare();
@@ -140,7 +145,8 @@ impl Context {
         vertices.restart(&self.state.current);
         vertices.push(position);
         let scale = self.window_scale();
-        let needs = Needs { eye: true, colors: true, textures: (1 << TEXTURE_UNITS) - 1 };
+        let textures = (1 << TEXTURE_UNITS) - 1;
+        let needs = Needs { window: true, eye: true, colors: true, textures };
         let mut vertex = Processed::default();
         VertexProcessor::new(&self.state, &self.matrices, scale, needs).process(
             &vertices,

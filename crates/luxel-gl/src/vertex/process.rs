@@ -28,9 +28,11 @@ enum NormalLength {
     Unit,
 }
 
-/// What a draw takes of its vertices, beside where they lie.
+/// What a draw takes of its vertices, beside their clip coordinates.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Needs {
+    /// Where they lie in the window, and which have no place there ([`codes::NOT_HELD`]).
+    pub(crate) window: bool,
     /// Eye coordinates.
     pub(crate) eye: bool,
     /// Colours, and what fog takes.
@@ -99,6 +101,7 @@ impl VertexProcessor {
         let separate = lit.map_or(self.color_sum, VertexLighting::is_separate);
         let textures = self.textures.iter().fold(0, |units, setup| units | 1 << setup.unit);
         Lists {
+            window: self.needs.window,
             eye: self.needs.eye,
             colors: if self.needs.colors { sides } else { 0 },
             secondary: if self.needs.colors && separate { sides } else { 0 },
@@ -157,7 +160,10 @@ impl VertexProcessor {
         let position = load_rows(simd, &vertices.positions, first, count);
         let clip = self.clip_from_object.times(position);
         store(&clip, &mut out.clip[run.clone()]);
-        let held = self.window(clip, &mut out.window[run.clone()]);
+        let held = match self.needs.window {
+            true => self.window(clip, &mut out.window[run.clone()]),
+            false => u32::MAX,
+        };
         let mut codes = self.codes(clip, held);
         let needs_eye = self.needs.eye
             || self.lighting.is_some()

@@ -91,6 +91,7 @@ pub(crate) struct Processed {
 /// Which lists of [`Processed`] there are, beside clip coordinates, codes and places in the window.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Lists {
+    pub(crate) window: bool,
     pub(crate) eye: bool,
     /// How many sides have primary colours, and how many secondary ones.
     pub(crate) colors: usize,
@@ -123,7 +124,7 @@ impl Processed {
         }
         sized(&mut self.clip, count, true);
         sized(&mut self.codes, count, true);
-        sized(&mut self.window, count, true);
+        sized(&mut self.window, count, lists.window);
         sized(&mut self.eye, count, lists.eye);
         for side in 0..2 {
             sized(&mut self.colors[side], count, side < lists.colors);

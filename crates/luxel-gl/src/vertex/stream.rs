@@ -37,13 +37,15 @@ impl Default for Stream {
     }
 }
 
-/// How many vertices each primitive of a mode has, if none shares vertices with another one.
-fn independent(mode: u32) -> Option<usize> {
+/// The vertices of primitives that are complete, of so many; `None` for primitives that share vertices.
+#[inline(always)]
+fn complete(mode: u32, count: usize) -> Option<usize> {
+    // Divisors that the compiler knows.
     Some(match mode {
-        gl::POINTS => 1,
-        gl::LINES => 2,
-        gl::TRIANGLES => 3,
-        gl::QUADS => 4,
+        gl::POINTS => count,
+        gl::LINES => count & !1,
+        gl::TRIANGLES => count - count % 3,
+        gl::QUADS => count & !3,
         _ => return None,
     })
 }
@@ -77,12 +79,12 @@ impl Stream {
     #[inline]
     pub(crate) fn end(&mut self) {
         self.phase = Phase::Idle;
-        if let Some(each) = independent(self.mode)
-            && self.vertices.len() >= each
+        let count = self.vertices.len();
+        if let Some(complete) = complete(self.mode, count)
+            && complete > 0
         {
-            let incomplete = self.vertices.len() % each;
-            if incomplete != 0 {
-                self.vertices.truncate(self.vertices.len() - incomplete);
+            if complete < count {
+                self.vertices.truncate(complete);
             }
             if self.vertices.len() < WAITING_VERTICES {
                 self.phase = Phase::Waiting;
@@ -121,16 +123,15 @@ impl Stream {
     /// After all that is complete has been drawn of independent primitives: keeps the rest. False for others, which are
     /// drawn as a whole alone.
     pub(crate) fn drop_complete(&mut self) -> bool {
-        let Some(each) = independent(self.mode) else { return false };
-        let count = self.vertices.len();
-        self.vertices.drop_first(count - count % each);
+        let Some(complete) = complete(self.mode, self.vertices.len()) else { return false };
+        self.vertices.drop_first(complete);
         self.materials.keep_last();
         true
     }
 
     /// Whether its primitives can be drawn in part.
     pub(crate) fn is_independent(&self) -> bool {
-        independent(self.mode).is_some()
+        complete(self.mode, 0).is_some()
     }
 
     /// Changes the material for the next vertices.
