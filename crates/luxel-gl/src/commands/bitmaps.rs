@@ -73,7 +73,7 @@ impl Context {
         let mut batch = Batch::new(pipeline, viewport, scale, vertices);
         let corner = corner.map(|at| at as i32);
         let piece = batch.put_bitmap(Arc::clone(&call.bitmap), corner, depth);
-        self.finish_draw(batch, vec![vec![piece]]);
+        self.finish_draw(batch, vec![piece]);
     }
 
     fn feed_bitmap_back(&mut self) {

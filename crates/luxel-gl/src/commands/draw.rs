@@ -9,7 +9,7 @@ use crate::limits::TEXTURE_UNITS;
 use crate::modes::{FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
 use crate::primitive::{assemble, assemble_parts, parts};
-use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, Piece, PieceBuilder, Pipeline};
+use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, PieceBuilder, Pieces, Pipeline};
 use crate::state::current::RasterPosition;
 use crate::vertex::{
     Materials, Needs, Processed, Stream, VertexProcessor, Vertices, WindowScale, codes,
@@ -128,7 +128,7 @@ impl Context {
     }
 
     /// Puts a batch into the log, and carries that out if it is full.
-    pub(super) fn finish_draw(&mut self, mut batch: Batch, runs: Vec<Vec<Piece>>) {
+    pub(super) fn finish_draw(&mut self, mut batch: Batch, runs: Vec<Pieces>) {
         batch.samples = self.queries.counter();
         self.log.draw(batch, runs);
         if self.log.is_full() {

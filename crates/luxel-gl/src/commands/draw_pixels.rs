@@ -172,7 +172,7 @@ impl Context {
         let image = PlacedImage::new(pixels, size, place, self.state.pixel.zoom, pipeline.region);
         let mut batch = Batch::new(pipeline, viewport, scale, vertices);
         let piece = batch.put_image(image, depth);
-        self.finish_draw(batch, vec![vec![piece]]);
+        self.finish_draw(batch, vec![piece]);
     }
 
     fn feed_image_back(&mut self, token: for<'v> fn(&'v FeedbackVertex) -> Feedback<'v>) {

@@ -2,14 +2,14 @@
 
 use super::bitmap::Bitmap;
 use super::image::PlacedImage;
+use super::pieces::{Piece, Pieces, Shade};
 use super::pipeline::Pipeline;
-use super::smooth::Figure;
+use super::shape::{LineEnds, Shape};
 use crate::fragment::TextureStages;
-use crate::primitive::line::LineWalk;
 use crate::texture::Target;
 use crate::vertex::{Processed, WindowScale};
 use luxel_math::SUBPIXELS;
-use luxel_visibility::{LinearForms, PackedForms, ProjectiveForms, Triangle};
+use luxel_visibility::{LinearForms, PackedForms, ProjectiveForms};
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
@@ -22,99 +22,6 @@ pub(crate) struct Prepared {
     /// The first of its rows for textures, if the pipeline has any: secondary colours, then the coordinates of each
     /// stage.
     pub(crate) rows: u32,
-}
-
-/// Where a primitive's colours come from.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Shade {
-    /// Three vertices of the batch; in flat shading the colour of one of them; of which side.
-    Triangle { corners: [u32; 3], flat: Option<u32>, side: u8 },
-    /// The two ends of a line, in flat shading the colour of one of them, of which side; a point's are the same.
-    Ends { vertices: [u32; 2], flat: Option<u32>, side: u8 },
-}
-
-/// The two ends of a line that clipping has left.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LineEnds {
-    /// In steps of 1/256 pixel.
-    pub(crate) places: [[i32; 2]; 2],
-    pub(crate) depths: [f32; 2],
-    /// Of each the weights of two vertices.
-    pub(crate) weights: [[f32; 2]; 2],
-    pub(crate) w: [f64; 2],
-}
-
-impl LineEnds {
-    /// The fragments of the line.
-    pub(crate) fn walk(&self) -> LineWalk {
-        LineWalk::new(self.places[0], self.places[1])
-    }
-}
-
-/// What covers pixels.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Shape {
-    Triangle(Triangle),
-    /// A column of pixels across each fragment of a line; the counter of stipples where it begins.
-    Line {
-        line: LineEnds,
-        width: i32,
-        counter: u32,
-    },
-    /// Left and bottom of the batch's bitmap; its depth.
-    Bitmap {
-        corner: [i32; 2],
-        depth: f32,
-    },
-    /// The batch's image; its depth, unless it has depths of its own.
-    Image {
-        depth: f32,
-    },
-    /// A rectangle about a line, which may end within pixels; the counter unless it is never stippled.
-    Band {
-        line: LineEnds,
-        width: f32,
-        counter: Option<u32>,
-    },
-    /// A disc, which may end within pixels: its centre in steps of 1/256 pixel, and its diameter; its depth.
-    Disc {
-        centre: [i32; 2],
-        size: f32,
-        depth: f32,
-    },
-    /// Left, bottom, and the side of a square of pixels; its depth.
-    Point {
-        corner: [i32; 2],
-        side: i32,
-        depth: f32,
-    },
-}
-
-impl Shape {
-    /// The figure of a shape that may end within pixels; `None` for others, and for a line that is a place.
-    pub(super) fn figure(&self) -> Option<Figure> {
-        match *self {
-            Self::Band { line, width, .. } => Figure::band(line.places, width),
-            Self::Disc { centre, size, .. } => Some(Figure::disc(centre, size)),
-            _ => None,
-        }
-    }
-}
-
-/// A shape with the primitive that it is a part of.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Piece {
-    pub(crate) shape: Shape,
-    pub(crate) shade: Shade,
-    /// What its depths are moved by, in steps of the buffer.
-    pub(crate) offset: f32,
-}
-
-impl Piece {
-    /// A shape in the colours of the batch's first vertex.
-    fn at_raster(shape: Shape) -> Self {
-        Self { shape, shade: Shade::Ends { vertices: [0; 2], flat: None, side: 0 }, offset: 0.0 }
-    }
 }
 
 /// One draw.
@@ -157,20 +64,20 @@ impl Batch {
         bitmap: Arc<Bitmap>,
         corner: [i32; 2],
         depth: f32,
-    ) -> Piece {
+    ) -> Pieces {
         self.bitmap = Some(bitmap);
-        Piece::at_raster(Shape::Bitmap { corner, depth })
+        Pieces::of_raster(self, Shape::Bitmap { corner, depth })
     }
 
     /// Takes an image, with what it lacks of colours and depth from the batch's first vertex.
-    pub(crate) fn put_image(&mut self, image: PlacedImage, depth: f32) -> Piece {
+    pub(crate) fn put_image(&mut self, image: PlacedImage, depth: f32) -> Pieces {
         self.image = Some(Box::new(image));
-        Piece::at_raster(Shape::Image { depth })
+        Pieces::of_raster(self, Shape::Image { depth })
     }
 
-    /// The pixels that a piece may reach: left, bottom, right, top, the last two beyond.
-    pub(crate) fn bounds(&self, piece: &Piece) -> [i32; 4] {
-        let (low, high, region) = match piece.shape {
+    /// The pixels that a shape may reach: left, bottom, right, top, the last two beyond.
+    pub(super) fn bounds(&self, shape: &Shape) -> [i32; 4] {
+        let (low, high, region) = match *shape {
             Shape::Triangle(triangle) => {
                 let [low, high] = triangle.bounds();
                 (low, high, self.polygon_region)
@@ -184,7 +91,7 @@ impl Batch {
             }
             Shape::Band { .. } | Shape::Disc { .. } => {
                 let [l, b, r, t] = self.pipeline.region;
-                let bounds = piece.shape.figure().map(|figure| figure.bounds());
+                let bounds = shape.figure().map(|figure| figure.bounds());
                 let [left, bottom, right, top] = bounds.unwrap_or_default();
                 return [left.max(l), bottom.max(b), right.min(r), top.min(t)];
             }
@@ -215,9 +122,14 @@ impl Batch {
         ]
     }
 
-    /// What shades the fragments of a piece; its rows for textures are appended.
-    pub(crate) fn prepare(&self, piece: &Piece, rows: &mut Vec<PackedForms>) -> Prepared {
-        match (piece.shade, piece.shape) {
+    /// What shades the fragments of a piece with its shape; its rows for textures are appended.
+    pub(super) fn prepare(
+        &self,
+        piece: &Piece,
+        shape: Option<&Shape>,
+        rows: &mut Vec<PackedForms>,
+    ) -> Prepared {
+        match (piece.shade, shape) {
             (Shade::Triangle { corners, flat, side }, _) => {
                 let colors = corners.map(|corner| self.color(flat.unwrap_or(corner), side));
                 let fog = corners.map(|corner| self.fog(corner));
@@ -229,9 +141,9 @@ impl Batch {
             }
             (
                 Shade::Ends { vertices, flat, side },
-                shape @ (Shape::Line { line, .. } | Shape::Band { line, .. }),
+                Some(shape @ (Shape::Line { line, .. } | Shape::Band { line, .. })),
             ) => {
-                let LineEnds { weights, w, .. } = line;
+                let LineEnds { weights, w, .. } = *line;
                 let colors = vertices.map(|vertex| self.color(flat.unwrap_or(vertex), side));
                 let fog = vertices.map(|vertex| self.fog(vertex));
                 let mix = |[u, v]: [f32; 2], [a, b]: [[f32; 4]; 2]| -> [f32; 4] {

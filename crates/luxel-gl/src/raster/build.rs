@@ -1,8 +1,10 @@
 //! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
 
-use super::batch::{Batch, LineEnds, Piece, Shade, Shape};
+use super::batch::Batch;
 use super::draw_state::{DrawState, whole_size};
+use super::pieces::{Pieces, Shade};
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
+use super::shape::{LineEnds, Shape};
 use crate::enums as gl;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
 use crate::vertex::codes;
@@ -21,7 +23,7 @@ fn deepest(places: &[WindowVertex]) -> f32 {
 pub(crate) struct PieceBuilder<'a> {
     state: &'a DrawState,
     batch: &'a Batch,
-    pieces: Vec<Piece>,
+    pieces: Pieces,
     /// The counter of line stipples (section 3.4.2).
     counter: u32,
     polygon: Vec<ClipCorner>,
@@ -29,11 +31,11 @@ pub(crate) struct PieceBuilder<'a> {
 
 impl<'a> PieceBuilder<'a> {
     /// Appends to `pieces`.
-    pub(crate) fn new(state: &'a DrawState, batch: &'a Batch, pieces: Vec<Piece>) -> Self {
+    pub(crate) fn new(state: &'a DrawState, batch: &'a Batch, pieces: Pieces) -> Self {
         Self { state, batch, pieces, counter: 0, polygon: Vec::new() }
     }
 
-    pub(crate) fn finish(self) -> Vec<Piece> {
+    pub(crate) fn finish(self) -> Pieces {
         self.pieces
     }
 
@@ -102,7 +104,7 @@ impl<'a> PieceBuilder<'a> {
         }
         let outside = any & codes::OUTSIDE & !codes::SIDES != 0;
         if !outside && any & codes::NOT_HELD == 0 {
-            self.piece(corners.map(|corner| self.window(corner)), corners, flat, facing);
+            self.whole(corners, flat, facing);
             return;
         }
         let planes = self.planes(any, &corners, true);
@@ -121,7 +123,45 @@ impl<'a> PieceBuilder<'a> {
         self.polygon = polygon;
     }
 
-    /// A triangle in the window: filled.
+    /// A filled triangle as its corners lie in the window.
+    #[inline(always)]
+    fn whole(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
+        let window = corners.map(|corner| self.window(corner));
+        let area = area(window);
+        let side = facing.unwrap_or_else(|| self.state.side(area));
+        if area == 0.0 || self.state.is_culled(side) {
+            return;
+        }
+        let shade = Shade::Triangle { corners, flat, side: self.state.color_side(side) as u8 };
+        let offset = self.state.offsets[2].map_or(0.0, |[factor, units]| {
+            let triangle = Triangle::new(window, CullFaces::None);
+            triangle.map_or(0.0, |of| {
+                let by = Some([factor, units, slope_of(&of)]);
+                depth_offset(by, self.state.scale.kind, of.depth.high)
+            })
+        });
+        let bounds = self.pixels_of(window);
+        self.pieces.push_triangle(bounds, shade, offset);
+    }
+
+    /// The pixels in a triangle's box: left, bottom, right, top, the last two beyond. With one sample those whose centres
+    /// lie in it.
+    #[inline(always)]
+    fn pixels_of(&self, [a, b, c]: [WindowVertex; 3]) -> [i32; 4] {
+        let region = self.batch.polygon_region;
+        let centre = SUBPIXELS / 2;
+        let (low, high) = if self.has_samples() { (0, 0) } else { (centre - 1, -centre) };
+        let range = |axis: usize, [p, q, r]: [i32; 3]| {
+            let first = (p.min(q).min(r) + low).div_euclid(SUBPIXELS);
+            let last = (p.max(q).max(r) + high).div_euclid(SUBPIXELS);
+            [first.max(region[axis]), (last + 1).min(region[axis + 2])]
+        };
+        let [left, right] = range(0, [a.x, b.x, c.x]);
+        let [bottom, top] = range(1, [a.y, b.y, c.y]);
+        [left, bottom, right, top]
+    }
+
+    /// A part of a filled triangle in the window.
     fn piece(
         &mut self,
         window: [WindowVertex; 3],
@@ -187,7 +227,7 @@ impl<'a> PieceBuilder<'a> {
 
     fn put(&mut self, shape: Shape, shade: Shade, offset: Option<[f32; 3]>, largest: f32) {
         let offset = depth_offset(offset, self.state.scale.kind, largest);
-        self.pieces.push(Piece { shape, shade, offset });
+        self.pieces.push(self.batch, shape, shade, offset);
     }
 
     fn push_point(

@@ -1,8 +1,9 @@
 //! Lights pixels by the entry that they see.
 
-use super::batch::{Batch, Piece, Prepared};
+use super::batch::{Batch, Prepared};
 use super::framebuffer::block_origin;
 use super::log::Item;
+use super::pieces::{Piece, Pieces};
 use super::shade::{Shading, encode, shade};
 use super::tile::Entry;
 use crate::plane::Blocks;
@@ -56,10 +57,16 @@ impl<'a> Lighter<'a> {
         &self.items[entry.item as usize]
     }
 
-    fn batch(&self, number: u32) -> Option<(&'a Batch, &'a Piece)> {
+    fn batch(&self, number: u32) -> Option<&'a Batch> {
+        self.piece(number).map(|(batch, ..)| batch)
+    }
+
+    fn piece(&self, number: u32) -> Option<(&'a Batch, &'a Pieces, &'a Piece)> {
         let entry = self.list.get((number as usize).wrapping_sub(1))?;
         match &self.items[entry.item as usize] {
-            Item::Batch(batch, pieces) => Some((batch, &pieces[entry.piece as usize])),
+            Item::Batch(batch, pieces) => {
+                Some((batch, pieces, &pieces.list()[entry.piece as usize]))
+            }
             Item::Clear(_) => None,
         }
     }
@@ -68,10 +75,10 @@ impl<'a> Lighter<'a> {
     pub(super) fn prepare(&mut self, number: u32) -> usize {
         let at = number as usize - 1;
         if self.prepared.places[at] == 0
-            && let Some((batch, piece)) = self.batch(number)
+            && let Some((batch, pieces, piece)) = self.piece(number)
         {
             let PreparedEntries { places, all, rows } = &mut self.prepared;
-            all.push(batch.prepare(piece, rows));
+            all.push(batch.prepare(piece, pieces.shape(piece), rows));
             places[at] = all.len() as u32;
         }
         (self.prepared.places[at] as usize).saturating_sub(1)
@@ -100,7 +107,7 @@ pub(super) fn light_seen<S: Simd>(
             // Lanes of one pipeline together: nearly always all of them.
             while left != 0 {
                 let leader = left.trailing_zeros() as usize & (LANES - 1);
-                let Some((first, _)) = lighter.batch(seen[leader]) else { return };
+                let Some(first) = lighter.batch(seen[leader]) else { return };
                 let mut together = 0;
                 let mut alike = true;
                 let mut places = [lighter.prepare(seen[leader]); LANES];
@@ -110,9 +117,9 @@ pub(super) fn light_seen<S: Simd>(
                 for lane in lanes_of(left) {
                     if seen[lane] != number {
                         number = seen[lane];
-                        belongs = lighter.batch(number).is_some_and(|(batch, _)| {
-                            Arc::ptr_eq(&batch.pipeline, &first.pipeline)
-                        });
+                        belongs = lighter
+                            .batch(number)
+                            .is_some_and(|batch| Arc::ptr_eq(&batch.pipeline, &first.pipeline));
                         if belongs {
                             place = lighter.prepare(number);
                             alike &= place == places[leader];

@@ -1,7 +1,8 @@
 //! The log: what has been drawn and not yet been carried out, in the order of the calls.
 
-use super::batch::{Batch, Piece, Shape};
+use super::batch::Batch;
 use super::framebuffer::Framebuffer;
+use super::pieces::Pieces;
 use super::pipeline::Pipeline;
 use super::shade::encode;
 use super::spare::Spare;
@@ -40,7 +41,7 @@ pub(super) struct ClearedTo {
 #[derive(Debug)]
 pub(super) enum Item {
     /// Some pieces of a batch.
-    Batch(Arc<Batch>, Vec<Piece>),
+    Batch(Arc<Batch>, Pieces),
     Clear(ClearedTo),
 }
 
@@ -85,15 +86,15 @@ impl Log {
     }
 
     /// Takes a batch, and all its pieces in runs.
-    pub(crate) fn draw(&mut self, batch: Batch, runs: Vec<Vec<Piece>>) {
+    pub(crate) fn draw(&mut self, batch: Batch, runs: Vec<Pieces>) {
         let batch = Arc::new(batch);
         self.bytes += batch.bytes();
         for pieces in runs {
-            if pieces.is_empty() {
+            if pieces.list().is_empty() {
                 self.spare.put_pieces(pieces);
                 continue;
             }
-            self.bytes += size_of::<Item>() + size_of_val(pieces.as_slice());
+            self.bytes += size_of::<Item>() + pieces.bytes();
             let item = Item::Batch(Arc::clone(&batch), pieces);
             self.items.push(item);
         }
@@ -172,24 +173,26 @@ impl Log {
 /// Puts what reaches each tile into its list, in order.
 fn sort(items: &[Item], across: usize, tiles: usize, lists: &mut Vec<Vec<Entry>>) {
     lists.resize_with(tiles, Vec::new);
-    let mut put = |[left, bottom, right, top]: [i32; 4], entry: Entry| {
-        if left >= right || bottom >= top {
-            return;
-        }
-        for row in bottom / TILE..=(top - 1) / TILE {
-            for column in left / TILE..=(right - 1) / TILE {
-                lists[row as usize * across + column as usize].push(entry);
+    let mut put = |[left, bottom, right, top]: [usize; 4], entry: Entry| {
+        for row in bottom..=top {
+            for column in left..=right {
+                lists[row * across + column].push(entry);
             }
         }
     };
     for (number, item) in items.iter().enumerate() {
         let item_number = number as u32;
         match item {
-            Item::Clear(clear) => put(clear.region, Entry { item: item_number, piece: 0 }),
-            Item::Batch(batch, pieces) => {
-                for (piece, of) in pieces.iter().enumerate() {
-                    debug_assert!(!matches!(of.shape, Shape::Line { width: 0, .. }));
-                    put(batch.bounds(of), Entry { item: item_number, piece: piece as u32 });
+            Item::Clear(ClearedTo { region: [left, bottom, right, top], .. }) => {
+                if left < right && bottom < top {
+                    let tiles = [*left, *bottom, right - 1, top - 1];
+                    let tiles = tiles.map(|at| (at / TILE) as usize);
+                    put(tiles, Entry { item: item_number, piece: 0 });
+                }
+            }
+            Item::Batch(_, pieces) => {
+                for (piece, of) in pieces.list().iter().enumerate() {
+                    put(of.tiles(), Entry { item: item_number, piece: piece as u32 });
                 }
             }
         }

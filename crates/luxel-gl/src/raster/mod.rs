@@ -1,6 +1,7 @@
 //! From primitives to pixels: the log of draws, and the tiles that it is carried out in.
 //!
-//! 1. `pipeline`: all state of fragments; `batch`: what the primitives of one draw have in common.
+//! 1. `pipeline`: all state of fragments; `batch`: what the primitives of one draw have in common; `pieces`: the parts of
+//!    these, with their `shape`.
 //! 2. `build`: culls and clips primitives, and makes pieces of them, by `draw_state`, where `placement` has them in the
 //!    window.
 //! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
@@ -23,24 +24,27 @@ mod image;
 mod lighter;
 mod log;
 mod piece_sink;
+mod pieces;
 mod pipeline;
 mod placement;
 mod samples;
 mod shade;
 mod shaded;
+mod shape;
 mod smooth;
 mod spare;
 mod stencil;
 mod strokes;
 mod tile;
 
-pub(crate) use batch::{Batch, Piece};
+pub(crate) use batch::Batch;
 pub(crate) use bitmap::Bitmap;
 pub(crate) use build::{PIECES_RUN, PieceBuilder};
 pub(crate) use draw_state::DrawState;
 pub(crate) use framebuffer::Framebuffer;
 pub(crate) use image::{ImagePixels, PlacedImage};
 pub(crate) use log::{Clear, Log};
+pub(crate) use pieces::Pieces;
 pub(crate) use pipeline::{Buffers, Pipeline};
 pub(crate) use placement::polygon_area;
 pub(crate) use samples::SAMPLES;

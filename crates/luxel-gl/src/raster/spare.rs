@@ -1,7 +1,7 @@
 //! Lists that batches have left, for the next ones: memory that the system doesn't have to clear again.
 
-use super::batch::Piece;
 use super::build::PIECES_RUN;
+use super::pieces::Pieces;
 use crate::limits::LOG_BYTES;
 use crate::vertex::Processed;
 use std::sync::{Mutex, PoisonError};
@@ -14,7 +14,7 @@ const LONGEST_LIST: usize = 2 * PIECES_RUN;
 #[derive(Debug, Default)]
 pub(crate) struct Spare {
     vertices: Vec<Processed>,
-    pieces: Mutex<Vec<Vec<Piece>>>,
+    pieces: Mutex<Vec<Pieces>>,
     bytes: usize,
 }
 
@@ -35,12 +35,12 @@ impl Spare {
     }
 
     /// A list for pieces; of any thread.
-    pub(crate) fn pieces(&self) -> Vec<Piece> {
+    pub(crate) fn pieces(&self) -> Pieces {
         self.pieces.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default()
     }
 
     /// Keeps a list of pieces.
-    pub(super) fn put_pieces(&mut self, mut list: Vec<Piece>) {
+    pub(super) fn put_pieces(&mut self, mut list: Pieces) {
         list.clear();
         let kept = self.pieces.get_mut().unwrap_or_else(PoisonError::into_inner);
         if kept.len() < MOST_LISTS && list.capacity() <= LONGEST_LIST {

@@ -1,8 +1,8 @@
 //! Lines, points and bitmaps in a tile (OpenGL 1.5, sections 3.3, 3.4 and 3.7).
 
-use super::batch::LineEnds;
 use super::bitmap::Bitmap;
 use super::piece_sink::PieceSink;
+use super::shape::LineEnds;
 use luxel_math::{SUBPIXELS, Simd};
 use luxel_visibility::{DepthPlane, Sink, TILE};
 

@@ -1,13 +1,15 @@
 //! One tile's part of the log, in the order of the log.
 
-use super::batch::{Batch, Piece, Shape};
+use super::batch::Batch;
 use super::framebuffer::{LANE_X, LANE_Y, NoPlanes, SamplePlanes, TilePlanes, block_origin};
 use super::image::image;
 use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
 use super::piece_sink::PieceSink;
+use super::pieces::{Piece, Pieces};
 use super::samples::{Multisample, offset};
 use super::shaded::ShadedBlocks;
+use super::shape::Shape;
 use super::smooth::{Course, covered_in_part, sampled};
 use super::strokes::{bitmap, line, point};
 use crate::plane::TILE_BLOCKS;
@@ -95,9 +97,9 @@ impl<'a> TileWorker<'a> {
                     self.clear(clear);
                 }
                 Item::Batch(batch, pieces) => {
-                    let piece = &pieces[entry.piece as usize];
+                    let piece = &pieces.list()[entry.piece as usize];
                     self.has_pieces = true;
-                    self.piece(simd, batch, piece, at as u32 + 1);
+                    self.piece(simd, batch, (pieces, piece), at as u32 + 1);
                 }
             }
         }
@@ -165,9 +167,21 @@ impl<'a> TileWorker<'a> {
     }
 
     #[inline(always)]
-    fn piece<S: Simd>(&mut self, simd: S, batch: &'a Batch, piece: &Piece, number: u32) {
+    fn piece<S: Simd>(
+        &mut self,
+        simd: S,
+        batch: &'a Batch,
+        (pieces, piece): (&Pieces, &Piece),
+        number: u32,
+    ) {
         let pipeline = &*batch.pipeline;
-        let of_polygon = matches!(piece.shape, Shape::Triangle(_));
+        let shape = pieces.shape(piece);
+        let triangle = match shape {
+            None => piece.triangle(batch),
+            Some(Shape::Triangle(triangle)) => Some(*triangle),
+            _ => None,
+        };
+        let of_polygon = triangle.is_some();
         let limits = if of_polygon { batch.polygon_region } else { pipeline.region };
         let limits = self.within(limits);
         let plain = pipeline.stencil.is_none()
@@ -198,21 +212,24 @@ impl<'a> TileWorker<'a> {
                 coverage: None,
                 samples: batch.samples.as_deref(),
             };
-            match piece.shape {
-                Shape::Triangle(ref triangle) => {
-                    cover(simd, triangle, self.region, offset(multisample, sample), &mut sink);
-                }
+            if let Some(triangle) = &triangle {
+                cover(simd, triangle, self.region, offset(multisample, sample), &mut sink);
+                continue;
+            }
+            let Some(shape) = shape else { return };
+            match *shape {
+                Shape::Triangle(_) => {}
                 Shape::Line { line: ref of, width, counter } => {
                     line(&mut sink, of, width, counter);
                 }
                 Shape::Band { line: ref of, counter, .. } => {
                     let stipple = counter.zip(pipeline.line_stipple);
                     let course = Course { depths: of.depths, stipple };
-                    partly(&mut sink, piece, course, multisample, sample);
+                    partly(&mut sink, shape, course, multisample, sample);
                 }
                 Shape::Disc { depth, .. } => {
                     let course = Course { depths: [depth; 2], stipple: None };
-                    partly(&mut sink, piece, course, multisample, sample);
+                    partly(&mut sink, shape, course, multisample, sample);
                 }
                 Shape::Bitmap { corner, depth } => {
                     if let Some(of) = &batch.bitmap {
@@ -235,12 +252,12 @@ impl<'a> TileWorker<'a> {
 #[inline(always)]
 fn partly<S: Simd>(
     sink: &mut PieceSink<'_, '_, S>,
-    piece: &Piece,
+    shape: &Shape,
     course: Course,
     multisample: Option<&Multisample>,
     sample: usize,
 ) {
-    let Some(figure) = piece.shape.figure() else { return };
+    let Some(figure) = shape.figure() else { return };
     if multisample.is_some() {
         sampled(sink, &figure, course, offset(multisample, sample));
     } else {

@@ -1,0 +1,110 @@
+//! The pieces of a batch: what covers pixels, and what shades them.
+
+use super::batch::Batch;
+use super::shape::Shape;
+use luxel_visibility::{CullFaces, TILE, Triangle};
+
+/// Where a primitive's colours come from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Shade {
+    /// Three vertices of the batch; in flat shading the colour of one of them; of which side.
+    Triangle { corners: [u32; 3], flat: Option<u32>, side: u8 },
+    /// The two ends of a line, in flat shading the colour of one of them, of which side; a point's are the same.
+    Ends { vertices: [u32; 2], flat: Option<u32>, side: u8 },
+}
+
+/// A part of a primitive. Most are triangles as their vertices lie in the window, which are set up where they are drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece {
+    pub(crate) shade: Shade,
+    /// What its depths are moved by, in steps of the buffer.
+    pub(crate) offset: f32,
+    /// The place of its shape among the others; [`OF_CORNERS`] for the triangle of its corners.
+    shape: u32,
+    tiles: [u8; 4],
+}
+
+/// In the place of a shape.
+const OF_CORNERS: u32 = u32::MAX;
+
+impl Piece {
+    /// The tiles that it may reach: the first and the last column and row.
+    pub(super) fn tiles(&self) -> [usize; 4] {
+        self.tiles.map(usize::from)
+    }
+
+    /// The triangle of its corners, set up.
+    #[inline(always)]
+    pub(super) fn triangle(&self, batch: &Batch) -> Option<Triangle> {
+        let Shade::Triangle { corners, .. } = self.shade else { return None };
+        let window = corners.map(|corner| batch.vertices.window[corner as usize]);
+        Triangle::new(window, CullFaces::None)
+    }
+}
+
+/// Pieces of one batch in the order of its primitives.
+#[derive(Debug, Default)]
+pub(crate) struct Pieces {
+    list: Vec<Piece>,
+    shapes: Vec<Shape>,
+}
+
+impl Pieces {
+    /// One shape in the colours of the batch's first vertex.
+    pub(crate) fn of_raster(batch: &Batch, shape: Shape) -> Self {
+        let mut pieces = Self::default();
+        pieces.push(batch, shape, Shade::Ends { vertices: [0; 2], flat: None, side: 0 }, 0.0);
+        pieces
+    }
+
+    /// Appends a shape, unless it reaches no pixel.
+    pub(super) fn push(&mut self, batch: &Batch, shape: Shape, shade: Shade, offset: f32) {
+        if let Some(tiles) = tiles(batch.bounds(&shape)) {
+            self.list.push(Piece { shade, offset, shape: self.shapes.len() as u32, tiles });
+            self.shapes.push(shape);
+        }
+    }
+
+    /// Appends the triangle of a primitive's corners, whose samples lie in some pixels: left, bottom, right, top, the last
+    /// two beyond.
+    #[inline(always)]
+    pub(super) fn push_triangle(&mut self, bounds: [i32; 4], shade: Shade, offset: f32) {
+        if let Some(tiles) = tiles(bounds) {
+            self.list.push(Piece { shade, offset, shape: OF_CORNERS, tiles });
+        }
+    }
+
+    /// All of them.
+    pub(super) fn list(&self) -> &[Piece] {
+        &self.list
+    }
+
+    /// A piece's shape; `None` for the triangle of its corners.
+    #[inline(always)]
+    pub(super) fn shape(&self, piece: &Piece) -> Option<&Shape> {
+        self.shapes.get(piece.shape as usize)
+    }
+
+    /// Bytes that they take.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(self.list.as_slice()) + size_of_val(self.shapes.as_slice())
+    }
+
+    /// How many there is room for.
+    pub(super) fn capacity(&self) -> usize {
+        self.list.capacity().max(self.shapes.capacity())
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.list.clear();
+        self.shapes.clear();
+    }
+}
+
+/// The tiles of some pixels; `None` without any.
+#[inline(always)]
+fn tiles([left, bottom, right, top]: [i32; 4]) -> Option<[u8; 4]> {
+    let some = left < right && bottom < top;
+    // A side of a framebuffer is 256 tiles at most.
+    some.then(|| [left, bottom, right - 1, top - 1].map(|at| (at / TILE) as u8))
+}
