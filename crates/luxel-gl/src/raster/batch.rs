@@ -14,7 +14,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
 /// What shades the fragments of a primitive: weights over the window, and the colours that they weigh.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Prepared {
     pub(crate) forms: PackedForms,
     /// Red, green, blue, alpha of three corners; then their fog coordinates.
@@ -122,22 +122,25 @@ impl Batch {
         ]
     }
 
-    /// What shades the fragments of a piece with its shape; its rows for textures are appended.
+    /// Prepares what shades the fragments of a piece with its shape, in the place where it stays; its rows for textures are
+    /// appended.
     pub(super) fn prepare(
         &self,
         piece: &Piece,
         shape: Option<&Shape>,
         rows: &mut Vec<PackedForms>,
-    ) -> Prepared {
+        prepared: &mut Prepared,
+    ) {
         match (piece.shade, shape) {
             (Shade::Triangle { corners, flat, side }, _) => {
                 let colors = corners.map(|corner| self.color(flat.unwrap_or(corner), side));
                 let fog = corners.map(|corner| self.fog(corner));
                 let places = corners.map(|corner| self.homogeneous(corner));
-                let prepared = Prepared::new(&LinearForms::from_homogeneous(places), colors, fog);
-                self.with_rows(prepared, rows, |row| {
+                prepared.weigh(&LinearForms::from_homogeneous(places));
+                prepared.color(colors, fog);
+                self.put_rows(prepared, rows, |row| {
                     corners.map(|corner| self.row_value(row, corner, flat, side))
-                })
+                });
             }
             (
                 Shade::Ends { vertices, flat, side },
@@ -155,39 +158,36 @@ impl Batch {
                 if matches!(shape, Shape::Line { .. }) {
                     way[1 - line.walk().major] = 0.0;
                 }
-                let prepared = Prepared::along(
-                    places[0],
-                    way,
-                    w,
-                    weights.map(|weights| mix(weights, colors)),
-                    weights.map(|[u, v]| fog[0] * u + fog[1] * v),
-                );
-                self.with_rows(prepared, rows, |row| {
+                prepared.weigh_along(places[0], way, w);
+                let [a, b] = weights.map(|weights| mix(weights, colors));
+                let [from, to] = weights.map(|[u, v]| fog[0] * u + fog[1] * v);
+                prepared.color([a, b, b], [from, to, to]);
+                self.put_rows(prepared, rows, |row| {
                     let of = vertices.map(|vertex| self.row_value(row, vertex, flat, side));
                     let [from, to] = weights.map(|weights| mix(weights, of));
                     [from, to, to]
-                })
+                });
             }
             (Shade::Ends { vertices: [vertex, _], flat, side }, _) => {
                 let color = self.color(flat.unwrap_or(vertex), side);
                 let fog = self.fog(vertex);
-                let prepared = Prepared::along([0.0; 2], [0.0; 2], [1.0; 2], [color; 2], [fog; 2]);
-                self.with_rows(prepared, rows, |row| [self.row_value(row, vertex, flat, side); 3])
+                prepared.weigh_along([0.0; 2], [0.0; 2], [1.0; 2]);
+                prepared.color([color; 3], [fog; 3]);
+                self.put_rows(prepared, rows, |row| [self.row_value(row, vertex, flat, side); 3]);
             }
         }
     }
 
     /// Appends the rows for textures, of values at three corners.
-    fn with_rows(
+    fn put_rows(
         &self,
-        mut prepared: Prepared,
+        prepared: &mut Prepared,
         rows: &mut Vec<PackedForms>,
         values: impl Fn(usize) -> [[f32; 4]; 3],
-    ) -> Prepared {
+    ) {
         prepared.rows = rows.len() as u32;
         let count = self.pipeline.textures.as_ref().map_or(0, TextureStages::rows);
         rows.extend((0..count).map(|row| ProjectiveForms::pack(&prepared.forms, values(row))));
-        prepared
     }
 
     /// What a vertex has in row `number`: its secondary colour, or texture coordinates, and what divides them.
@@ -245,49 +245,36 @@ impl Batch {
 }
 
 impl Prepared {
-    pub(crate) fn new(forms: &LinearForms, colors: [[f32; 4]; 3], fog: [f32; 3]) -> Self {
-        let mut packed = PackedForms::default();
-        forms.pack(|_, row, values| packed[row] = values);
-        Self { forms: packed, attributes: Self::attributes(colors, fog), rows: 0 }
+    /// Takes the weights of a triangle's corners.
+    fn weigh(&mut self, forms: &LinearForms) {
+        forms.pack(|_, row, values| self.forms[row] = values);
     }
 
-    /// From a place of the window on a way, whatever lies across it: perspective between the values of w at both ends.
-    pub(crate) fn along(
-        from: [f64; 2],
-        way: [f64; 2],
-        [w_from, w_to]: [f64; 2],
-        colors: [[f32; 4]; 2],
-        fog: [f32; 2],
-    ) -> Self {
+    /// Takes the weights from a place of the window on a way, whatever lies across it: perspective between the values of w
+    /// at both ends.
+    fn weigh_along(&mut self, from: [f64; 2], way: [f64; 2], [w_from, w_to]: [f64; 2]) {
         let squared = way[0] * way[0] + way[1] * way[1];
-        let mut forms = PackedForms::default();
+        self.forms = PackedForms::default();
         if squared == 0.0 {
-            forms[2][0] = 1.0;
+            self.forms[2][0] = 1.0;
         } else {
             // (1 - s) w_to and s w_from, which are (1 - s) / w_from and s / w_to but for a factor; s rises by `rise` a pixel.
             let rise = way.map(|part| part / squared);
             let before = from[0] * rise[0] + from[1] * rise[1];
             for axis in 0..2 {
-                forms[axis] = [-w_to * rise[axis], w_from * rise[axis], 0.0, 0.0];
+                self.forms[axis] = [-w_to * rise[axis], w_from * rise[axis], 0.0, 0.0];
             }
-            forms[2] = [w_to * (1.0 + before), -w_from * before, 0.0, 0.0];
+            self.forms[2] = [w_to * (1.0 + before), -w_from * before, 0.0, 0.0];
         }
-        let [a, b] = colors;
-        let attributes = Self::attributes([a, b, b], [fog[0], fog[1], fog[1]]);
-        Self { forms, attributes, rows: 0 }
     }
 
-    fn attributes([a, b, c]: [[f32; 4]; 3], fog: [f32; 3]) -> [[f32; 8]; 2] {
-        let mut attributes = row(a, b, c);
-        attributes[1][4..7].copy_from_slice(&fog);
-        attributes
+    /// Takes colours and fog coordinates of three corners.
+    fn color(&mut self, colors: [[f32; 4]; 3], fog: [f32; 3]) {
+        let [first, second] = &mut self.attributes;
+        for (place, value) in first.iter_mut().zip(colors[..2].as_flattened()) {
+            *place = *value;
+        }
+        let [r, g, b, a] = colors[2];
+        *second = [r, g, b, a, fog[0], fog[1], fog[2], 0.0];
     }
-}
-
-fn row(a: [f32; 4], b: [f32; 4], c: [f32; 4]) -> [[f32; 8]; 2] {
-    let mut row = [[0.0; 8]; 2];
-    row[0][..4].copy_from_slice(&a);
-    row[0][4..].copy_from_slice(&b);
-    row[1][..4].copy_from_slice(&c);
-    row
 }

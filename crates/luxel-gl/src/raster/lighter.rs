@@ -78,8 +78,11 @@ impl<'a> Lighter<'a> {
             && let Some((batch, pieces, piece)) = self.piece(number)
         {
             let PreparedEntries { places, all, rows } = &mut self.prepared;
-            all.push(batch.prepare(piece, pieces.shape(piece), rows));
+            all.push(Prepared::default());
             places[at] = all.len() as u32;
+            if let Some(prepared) = all.last_mut() {
+                batch.prepare(piece, pieces.shape(piece), rows, prepared);
+            }
         }
         (self.prepared.places[at] as usize).saturating_sub(1)
     }
