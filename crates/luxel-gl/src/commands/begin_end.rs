@@ -208,6 +208,7 @@ impl Context {
         for [x, y] in [[x1, y1], [x2, y1], [x2, y2], [x1, y2]] {
             vertices.push([x, y, 0.0, 1.0]);
         }
-        self.draw_vertices(gl::POLYGON, &vertices, &Materials::new(self.state.materials), None);
+        // A quad, as in Mesa: where it is clipped, its diagonal is that of quads.
+        self.draw_vertices(gl::QUADS, &vertices, &Materials::new(self.state.materials), None);
     }
 }

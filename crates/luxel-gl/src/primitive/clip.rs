@@ -16,13 +16,18 @@ pub(crate) struct ClipCorner {
     pub(crate) held: bool,
     /// Whether it is a vertex rather than a point where an edge leaves.
     pub(crate) own: bool,
+    /// Whether the edge from it to the next corner is a part of the border.
+    pub(crate) border: bool,
+    /// Its number among the corners, and that of the next one.
+    order: [usize; 2],
 }
 
 impl ClipCorner {
     pub(crate) fn new(clip: [f32; 4], corner: usize, held: bool) -> Self {
         let mut weights = [0.0; 3];
         weights[corner] = 1.0;
-        Self { clip: clip.map(f64::from), weights, held, own: true }
+        let clip = clip.map(f64::from);
+        Self { clip, weights, held, own: true, border: true, order: [0; 2] }
     }
 }
 
@@ -30,12 +35,20 @@ impl ClipCorner {
 pub(crate) trait Cut: Copy {
     /// inside + (outside - inside) t
     fn between(inside: &Self, outside: &Self, t: f64) -> Self;
+
+    /// Says which of so many corners it is, for those that want to know where a polygon leaves.
+    fn set_order(&mut self, number: usize, count: usize) {
+        let _ = (number, count);
+    }
 }
 
 impl Cut for ClipCorner {
     fn between(inside: &Self, outside: &Self, t: f64) -> Self {
         let mix = |inside: f64, outside: f64| inside + (outside - inside) * t;
-        let mut cut = Self { held: false, own: false, ..*inside };
+        // Where the polygon leaves, an edge of the border begins; where it comes back, an edge goes on (section 2.11).
+        let leaves = inside.order[1] == outside.order[0];
+        let border = leaves || outside.border;
+        let mut cut = Self { held: false, own: false, border, ..*inside };
         for (value, other) in cut.clip.iter_mut().zip(outside.clip) {
             *value = mix(*value, other);
         }
@@ -43,6 +56,10 @@ impl Cut for ClipCorner {
             *weight = mix(*weight, other);
         }
         cut
+    }
+
+    fn set_order(&mut self, number: usize, count: usize) {
+        self.order = [number, (number + 1) % count];
     }
 }
 
@@ -66,7 +83,11 @@ pub(crate) fn clip_polygon<C: Cut, P>(
         if distances.iter().all(|distance| *distance >= 0.0) {
             continue;
         }
-        let source = std::mem::take(polygon);
+        let mut source = std::mem::take(polygon);
+        let count = source.len();
+        for (number, corner) in source.iter_mut().enumerate() {
+            corner.set_order(number, count);
+        }
         clip_by_plane(&source, &distances, C::between, &mut |corner| polygon.push(corner));
     }
 }
@@ -95,6 +116,28 @@ mod tests {
     use super::*;
 
     const NEAR: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
+
+    #[test]
+    fn section_2_11_edges_along_a_plane_are_border_and_others_stay_what_they_were() {
+        let corner = |z: f32, number, border| ClipCorner {
+            border,
+            ..ClipCorner::new([0.0, 0.0, z, 1.0], number, false)
+        };
+        for (before, after) in [
+            ([true, false, true], [true, true, false, true]),
+            ([false, true, false], [false, true, true, false]),
+        ] {
+            let mut polygon: Vec<_> = [0.0, -2.0, 0.0]
+                .into_iter()
+                .zip(before)
+                .enumerate()
+                .map(|(number, (z, border))| corner(z, number, border))
+                .collect();
+            clip_polygon(&mut polygon, &[NEAR], plane_distances);
+            let border: Vec<_> = polygon.iter().map(|corner| corner.border).collect();
+            assert_eq!(border, after);
+        }
+    }
 
     #[test]
     fn section_2_11_what_is_cut_out_carries_the_weights_of_its_corners() {

@@ -131,49 +131,47 @@ impl Batch {
         rows: &mut Vec<PackedForms>,
         prepared: &mut Prepared,
     ) {
-        match (piece.shade, shape) {
-            (Shade::Triangle { corners, flat, side }, _) => {
-                let colors = corners.map(|corner| self.color(flat.unwrap_or(corner), side));
-                let fog = corners.map(|corner| self.fog(corner));
+        let Shade { corners, flat, side } = piece.shade;
+        let colors = corners.map(|corner| self.color(flat.unwrap_or(corner), side));
+        let fog = corners.map(|corner| self.fog(corner));
+        let row_values = |row: usize| corners.map(|corner| self.row_value(row, corner, flat, side));
+        let of_both = |weights: &[[f32; 3]; 2]| {
+            let [a, b] = weights.map(|weights| mixed(weights, colors));
+            let [from, to] = weights.map(|[u, v, t]| fog[0] * u + fog[1] * v + fog[2] * t);
+            ([a, b, b], [from, to, to])
+        };
+        match shape {
+            None | Some(Shape::Triangle(_)) => {
                 let places = corners.map(|corner| self.homogeneous(corner));
                 prepared.weigh(&LinearForms::from_homogeneous(places));
                 prepared.color(colors, fog);
-                self.put_rows(prepared, rows, |row| {
-                    corners.map(|corner| self.row_value(row, corner, flat, side))
-                });
+                self.put_rows(prepared, rows, row_values);
             }
-            (
-                Shade::Ends { vertices, flat, side },
-                Some(shape @ (Shape::Line { line, .. } | Shape::Band { line, .. })),
-            ) => {
-                let LineEnds { weights, w, .. } = *line;
-                let colors = vertices.map(|vertex| self.color(flat.unwrap_or(vertex), side));
-                let fog = vertices.map(|vertex| self.fog(vertex));
-                let mix = |[u, v]: [f32; 2], [a, b]: [[f32; 4]; 2]| -> [f32; 4] {
-                    std::array::from_fn(|at| a[at] * u + b[at] * v)
-                };
+            Some(shape @ (Shape::Line { line, .. } | Shape::Band { line, .. })) => {
                 let places =
                     line.places.map(|end| end.map(|at| f64::from(at) / f64::from(SUBPIXELS)));
                 let mut way = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
                 if matches!(shape, Shape::Line { .. }) {
                     way[1 - line.walk().major] = 0.0;
                 }
-                prepared.weigh_along(places[0], way, w);
-                let [a, b] = weights.map(|weights| mix(weights, colors));
-                let [from, to] = weights.map(|[u, v]| fog[0] * u + fog[1] * v);
-                prepared.color([a, b, b], [from, to, to]);
+                prepared.weigh_along(places[0], way, line.w);
+                let (colors, fog) = of_both(&line.weights);
+                prepared.color(colors, fog);
                 self.put_rows(prepared, rows, |row| {
-                    let of = vertices.map(|vertex| self.row_value(row, vertex, flat, side));
-                    let [from, to] = weights.map(|weights| mix(weights, of));
+                    let values = row_values(row);
+                    let [from, to] = line.weights.map(|weights| mixed(weights, values));
                     [from, to, to]
                 });
             }
-            (Shade::Ends { vertices: [vertex, _], flat, side }, _) => {
-                let color = self.color(flat.unwrap_or(vertex), side);
-                let fog = self.fog(vertex);
+            Some(shape) => {
+                let weights = match shape {
+                    Shape::Point { weights, .. } | Shape::Disc { weights, .. } => *weights,
+                    _ => [1.0, 0.0, 0.0],
+                };
                 prepared.weigh_along([0.0; 2], [0.0; 2], [1.0; 2]);
-                prepared.color([color; 3], [fog; 3]);
-                self.put_rows(prepared, rows, |row| [self.row_value(row, vertex, flat, side); 3]);
+                let (colors, fog) = of_both(&[weights; 2]);
+                prepared.color(colors, fog);
+                self.put_rows(prepared, rows, |row| [mixed(weights, row_values(row)); 3]);
             }
         }
     }
@@ -242,6 +240,11 @@ impl Batch {
             + self.image.as_ref().map_or(0, |image| image.bytes())
             + self.vertices.bytes()
     }
+}
+
+/// The values of three vertices by weights.
+fn mixed([u, v, t]: [f32; 3], [a, b, c]: [[f32; 4]; 3]) -> [f32; 4] {
+    std::array::from_fn(|at| a[at] * u + b[at] * v + c[at] * t)
 }
 
 impl Prepared {

@@ -1,12 +1,13 @@
-//! Primitives to pieces: faces, culling, clipping, setup (OpenGL 1.5, sections 2.11, 3.3 to 3.5).
+//! Primitives to pieces: faces, culling, clipping (OpenGL 1.5, sections 2.11 and 3.5). `border` makes them of lines and
+//! points.
 
 use super::batch::Batch;
-use super::draw_state::{DrawState, whole_size};
+use super::draw_state::DrawState;
 use super::pieces::{Pieces, Shade};
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
-use super::shape::{LineEnds, Shape};
+use super::shape::Shape;
 use crate::enums as gl;
-use crate::primitive::{ClipCorner, Visitor, clip_polygon, clip_segment};
+use crate::primitive::{ClipCorner, Visitor, clip_polygon};
 use crate::vertex::codes;
 use luxel_math::SUBPIXELS;
 use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
@@ -14,18 +15,13 @@ use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
 /// Primitives that one thread makes pieces of at a time.
 pub(crate) const PIECES_RUN: usize = 2048;
 
-/// The largest depth of some places.
-fn deepest(places: &[WindowVertex]) -> f32 {
-    places.iter().fold(0.0, |most, place| most.max(place.z))
-}
-
 /// Makes pieces of the primitives of a batch that it is shown.
 pub(crate) struct PieceBuilder<'a> {
-    state: &'a DrawState,
-    batch: &'a Batch,
+    pub(super) state: &'a DrawState,
+    pub(super) batch: &'a Batch,
     pieces: Pieces,
     /// The counter of line stipples (section 3.4.2).
-    counter: u32,
+    pub(super) counter: u32,
     polygon: Vec<ClipCorner>,
 }
 
@@ -39,22 +35,22 @@ impl<'a> PieceBuilder<'a> {
         self.pieces
     }
 
-    fn codes(&self, vertex: u32) -> u16 {
+    pub(super) fn codes(&self, vertex: u32) -> u16 {
         self.batch.vertices.codes[vertex as usize]
     }
 
-    fn window(&self, vertex: u32) -> WindowVertex {
+    pub(super) fn window(&self, vertex: u32) -> WindowVertex {
         self.batch.vertices.window[vertex as usize]
     }
 
-    fn corner(&self, vertex: u32, number: usize) -> ClipCorner {
+    pub(super) fn corner(&self, vertex: u32, number: usize) -> ClipCorner {
         let held = self.codes(vertex) & codes::NOT_HELD == 0;
         ClipCorner::new(self.batch.vertices.clip[vertex as usize], number, held)
     }
 
     /// The planes that some vertices lie beyond. Sides of the clip volume are left to the pixels of the viewport
     /// where `guarded`, as far as the guard band reaches.
-    fn planes(&self, any: u16, vertices: &[u32], guarded: bool) -> Vec<Plane> {
+    pub(super) fn planes(&self, any: u16, vertices: &[u32], guarded: bool) -> Vec<Plane> {
         let mut planes = Vec::new();
         if any & codes::NEAR != 0 {
             planes.push(Plane::Volume(self.state.scale.near_plane()));
@@ -88,7 +84,11 @@ impl<'a> PieceBuilder<'a> {
     }
 
     /// Where a corner that clipping has left lies in the window.
-    fn clipped_window(&self, corner: &ClipCorner, vertices: &[u32]) -> Option<WindowVertex> {
+    pub(super) fn clipped_window(
+        &self,
+        corner: &ClipCorner,
+        vertices: &[u32],
+    ) -> Option<WindowVertex> {
         if corner.own && corner.held {
             let number = corner.weights.iter().position(|weight| *weight == 1.0)?;
             return Some(self.window(vertices[number]));
@@ -132,7 +132,7 @@ impl<'a> PieceBuilder<'a> {
         if area == 0.0 || self.state.is_culled(side) {
             return;
         }
-        let shade = Shade::Triangle { corners, flat, side: self.state.color_side(side) as u8 };
+        let shade = Shade { corners, flat, side: self.state.color_side(side) as u8 };
         let offset = self.state.offsets[2].map_or(0.0, |[factor, units]| {
             let triangle = Triangle::new(window, CullFaces::None);
             triangle.map_or(0.0, |of| {
@@ -177,159 +177,24 @@ impl<'a> PieceBuilder<'a> {
         let offset = self.state.offsets[2];
         let offset = offset.map(|[factor, units]| [factor, units, slope_of(&triangle)]);
         let side = self.state.color_side(side) as u8;
-        let shade = Shade::Triangle { corners, flat, side };
+        let shade = Shade { corners, flat, side };
         self.put(Shape::Triangle(triangle), shade, offset, triangle.depth.high);
     }
 
-    fn push_line(
+    pub(super) fn put(
         &mut self,
-        ends: [u32; 2],
-        (flat, side): (Option<u32>, u8),
-        begins: bool,
+        shape: Shape,
+        shade: Shade,
         offset: Option<[f32; 3]>,
+        largest: f32,
     ) {
-        if begins {
-            self.counter = 0;
-        }
-        let [a, b] = ends.map(|end| self.codes(end));
-        if a & b & codes::OUTSIDE != 0 || (a | b) & codes::NOT_FINITE != 0 {
-            return;
-        }
-        let mut corners = [self.corner(ends[0], 0), self.corner(ends[1], 1)];
-        let any = a | b;
-        if any & (codes::OUTSIDE | codes::NOT_HELD) != 0 {
-            let planes = self.planes(any, &ends, false);
-            let Some(clipped) = clip_segment(corners, &planes, Plane::distance) else { return };
-            corners = clipped;
-        }
-        let placed = corners.map(|corner| self.clipped_window(&corner, &ends));
-        let [Some(from), Some(to)] = placed else { return };
-        let mut line = LineEnds {
-            places: [[from.x, from.y], [to.x, to.y]],
-            depths: [from.z, to.z],
-            weights: corners.map(|corner| [0, 1].map(|end| corner.weights[end] as f32)),
-            w: corners.map(|corner| corner.clip[3]),
-        };
-        let counter = self.counter;
-        let shape = if self.state.smooth[1] || self.has_samples() {
-            Shape::Band { line, width: self.state.line_size, counter: Some(counter) }
-        } else {
-            // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
-            let (width, minor) = (whole_size(self.state.line_size), 1 - line.walk().major);
-            for place in &mut line.places {
-                place[minor] -= (width - 1) * (SUBPIXELS / 2);
-            }
-            Shape::Line { line, width, counter }
-        };
-        self.put(shape, Shade::Ends { vertices: ends, flat, side }, offset, deepest(&[from, to]));
-        self.counter = counter.wrapping_add(line.walk().count as u32);
-    }
-
-    fn put(&mut self, shape: Shape, shade: Shade, offset: Option<[f32; 3]>, largest: f32) {
         let offset = depth_offset(offset, self.state.scale.kind, largest);
         self.pieces.push(self.batch, shape, shade, offset);
     }
 
-    fn push_point(
-        &mut self,
-        vertex: u32,
-        (flat, color_side): (Option<u32>, u8),
-        offset: Option<[f32; 3]>,
-    ) {
-        let code = self.codes(vertex);
-        if code & (codes::OUTSIDE | codes::NOT_FINITE | codes::NOT_HELD) != 0 {
-            return;
-        }
-        let shape = if self.state.smooth[0] || self.has_samples() {
-            self.partial_point(vertex)
-        } else {
-            self.whole_point(vertex)
-        };
-        let shade = Shade::Ends { vertices: [vertex; 2], flat, side: color_side };
-        self.put(shape, shade, offset, self.window(vertex).z);
-    }
-
-    /// A square of whole pixels.
-    fn whole_point(&self, vertex: u32) -> Shape {
-        let place = self.window(vertex);
-        let side = whole_size(self.point_size(vertex));
-        // Odd sizes are centred in a pixel, even ones between pixels (section 3.3.1).
-        let first = |at: i32| {
-            if side % 2 == 1 {
-                at.div_euclid(SUBPIXELS) - side / 2
-            } else {
-                (at + SUBPIXELS / 2).div_euclid(SUBPIXELS) - side / 2
-            }
-        };
-        Shape::Point { corner: [first(place.x), first(place.y)], side, depth: place.z }
-    }
-
     /// Whether pixels have several samples, each of which is covered or not.
-    fn has_samples(&self) -> bool {
+    pub(super) fn has_samples(&self) -> bool {
         self.batch.pipeline.multisample.is_some()
-    }
-
-    /// A point that may end within pixels: a disc, or with several samples the square that it is unless it is smooth.
-    fn partial_point(&self, vertex: u32) -> Shape {
-        let WindowVertex { x, y, z } = self.window(vertex);
-        let size = self.point_size(vertex).clamp(1.0, crate::limits::LARGEST_SIZE);
-        if self.state.smooth[0] {
-            return Shape::Disc { centre: [x, y], size, depth: z };
-        }
-        let half = (size * SUBPIXELS as f32 / 2.0).round_ties_even() as i32;
-        let places = [[x - half, y], [x + half, y]];
-        let line = LineEnds { places, depths: [z; 2], weights: [[1.0, 0.0]; 2], w: [1.0; 2] };
-        Shape::Band { line, width: size, counter: None }
-    }
-
-    /// size / sqrt(a + b d + c d^2), within the limits (section 3.3); d is |z| in eye coordinates, as in Mesa.
-    fn point_size(&self, vertex: u32) -> f32 {
-        let [a, b, c] = self.state.attenuation;
-        let mut size = self.state.point_size;
-        if self.state.attenuation != [1.0, 0.0, 0.0]
-            && let Some([_, _, z, w]) = self.batch.vertices.eye.get(vertex as usize)
-        {
-            let distance = z.abs() / if *w == 0.0 { 1.0 } else { w.abs() };
-            let divisor = a + b * distance + c * distance * distance;
-            if divisor > 0.0 {
-                size /= divisor.sqrt();
-            }
-        }
-        let [least, largest] = self.state.point_limits;
-        if size < least { least } else { size.min(largest) }
-    }
-
-    /// The border of a polygon as lines or points, each with the polygon's offset.
-    fn outline(&mut self, corners: &[u32], flat: Option<u32>, flagged: bool, side: usize) {
-        let lines = self.state.mode(side) == gl::LINE;
-        let shade = (flat, self.state.color_side(side) as u8);
-        let offset = self.state.offsets[usize::from(lines)]
-            .map(|[factor, units]| [factor, units, self.slope(corners)]);
-        let mut begins = true;
-        for (number, &vertex) in corners.iter().enumerate() {
-            if flagged && !self.batch.vertices.edge_flag(vertex as usize) {
-                continue;
-            }
-            if lines {
-                let next = corners[(number + 1) % corners.len()];
-                self.push_line([vertex, next], shade, begins, offset);
-                begins = false;
-            } else {
-                self.push_point(vertex, shade, offset);
-            }
-        }
-    }
-
-    /// max(|dz/dx|, |dz/dy|) of a polygon's first corners, a pixel; 0 if they have no place in the window.
-    fn slope(&self, corners: &[u32]) -> f32 {
-        if corners[..3].iter().any(|&corner| self.codes(corner) & codes::NOT_HELD != 0) {
-            return 0.0;
-        }
-        let [a, b, c] = [0, 1, 2].map(|number| self.window(corners[number]));
-        match Triangle::new([a, b, c], CullFaces::None) {
-            Some(triangle) => slope_of(&triangle),
-            None => 0.0,
-        }
     }
 }
 
@@ -359,15 +224,11 @@ impl Visitor for PieceBuilder<'_> {
             return;
         }
         if state.mode(side) != gl::FILL {
-            self.outline(corners, flat, flagged, side);
+            self.outline(corners, (flat, flagged), provoking, side);
             return;
         }
-        let count = corners.len();
-        let about = if state.splits_at_provoking { provoking } else { corners[0] };
-        let first = corners.iter().position(|corner| *corner == about).unwrap_or(0);
-        for second in first + 1..first + count - 1 {
-            let fan = [first, second, second + 1].map(|at| corners[at % count]);
-            self.triangle(fan, flat, Some(side));
+        for fan in state.fans(&self.batch.vertices, corners, provoking) {
+            self.triangle(fan.map(|at| corners[at]), flat, Some(side));
         }
     }
 }

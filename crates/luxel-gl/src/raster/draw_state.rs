@@ -2,7 +2,7 @@
 
 use crate::enums as gl;
 use crate::state::Attributes;
-use crate::vertex::WindowScale;
+use crate::vertex::{Processed, WindowScale, codes};
 
 /// What decides how primitives become pieces.
 #[derive(Clone, Debug)]
@@ -63,9 +63,26 @@ impl DrawState {
                 .map(|number| (number, state.transform.planes[number as usize]))
                 .collect(),
             scale,
-            // The diagonals are free (section 3.5); these are those of Mesa's drivers, so that lit quads look the same.
-            splits_at_provoking: is_listed,
+            splits_at_provoking: is_listed || has(gl::POLYGON_SMOOTH),
         }
+    }
+
+    /// The triangles of a polygon of those vertices, each by the numbers of its corners. The diagonals are free
+    /// (section 3.5); these are those of Mesa's drivers, so that lit quads look the same: of lists, of smooth polygons and
+    /// of those that are clipped from the provoking vertex, of others from the first.
+    pub(super) fn fans(
+        &self,
+        vertices: &Processed,
+        corners: &[u32],
+        provoking: u32,
+    ) -> impl Iterator<Item = [usize; 3]> + use<> {
+        let count = corners.len();
+        let outside = |corner: &u32| vertices.codes[*corner as usize] & codes::OUTSIDE != 0;
+        let at_provoking = self.splits_at_provoking || corners.iter().any(outside);
+        let about = if at_provoking { provoking } else { corners[0] };
+        let first = corners.iter().position(|corner| *corner == about).unwrap_or(0);
+        (first + 1..first + count - 1)
+            .map(move |second| [first, second % count, (second + 1) % count])
     }
 
     /// Whether eye coordinates are needed.

@@ -2,7 +2,7 @@
 //!
 //! 1. `pipeline`: all state of fragments; `batch`: what the primitives of one draw have in common; `pieces`: the parts of
 //!    these, with their `shape`.
-//! 2. `build`: culls and clips primitives, and makes pieces of them, by `draw_state`, where `placement` has them in the
+//! 2. `build`: culls and clips primitives, and makes pieces of them (`border`: of lines and points), by `draw_state`, where `placement` has them in the
 //!    window.
 //! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
 //!    memory.
@@ -17,6 +17,7 @@ mod batch;
 mod bitmap;
 mod blend;
 mod blit;
+mod border;
 mod build;
 mod draw_state;
 mod framebuffer;

@@ -4,13 +4,13 @@ use super::batch::Batch;
 use super::shape::Shape;
 use luxel_visibility::{CullFaces, TILE, Triangle};
 
-/// Where a primitive's colours come from.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Shade {
-    /// Three vertices of the batch; in flat shading the colour of one of them; of which side.
-    Triangle { corners: [u32; 3], flat: Option<u32>, side: u8 },
-    /// The two ends of a line, in flat shading the colour of one of them, of which side; a point's are the same.
-    Ends { vertices: [u32; 2], flat: Option<u32>, side: u8 },
+/// Where a primitive's colours come from: three vertices of the batch, of which a line has two and a point one; in flat
+/// shading the colour of one vertex; of which side.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Shade {
+    pub(crate) corners: [u32; 3],
+    pub(crate) flat: Option<u32>,
+    pub(crate) side: u8,
 }
 
 /// A part of a primitive. Most are triangles as their vertices lie in the window, which are set up where they are drawn.
@@ -36,8 +36,7 @@ impl Piece {
     /// The triangle of its corners, set up.
     #[inline(always)]
     pub(super) fn triangle(&self, batch: &Batch) -> Option<Triangle> {
-        let Shade::Triangle { corners, .. } = self.shade else { return None };
-        let window = corners.map(|corner| batch.vertices.window[corner as usize]);
+        let window = self.shade.corners.map(|corner| batch.vertices.window[corner as usize]);
         Triangle::new(window, CullFaces::None)
     }
 }
@@ -53,7 +52,7 @@ impl Pieces {
     /// One shape in the colours of the batch's first vertex.
     pub(crate) fn of_raster(batch: &Batch, shape: Shape) -> Self {
         let mut pieces = Self::default();
-        pieces.push(batch, shape, Shade::Ends { vertices: [0; 2], flat: None, side: 0 }, 0.0);
+        pieces.push(batch, shape, Shade::default(), 0.0);
         pieces
     }
 

@@ -10,8 +10,8 @@ pub(crate) struct LineEnds {
     /// In steps of 1/256 pixel.
     pub(crate) places: [[i32; 2]; 2],
     pub(crate) depths: [f32; 2],
-    /// Of each the weights of two vertices.
-    pub(crate) weights: [[f32; 2]; 2],
+    /// Of each the weights of three vertices.
+    pub(crate) weights: [[f32; 3]; 2],
     pub(crate) w: [f64; 2],
 }
 
@@ -47,17 +47,20 @@ pub(crate) enum Shape {
         width: f32,
         counter: Option<u32>,
     },
-    /// A disc, which may end within pixels: its centre in steps of 1/256 pixel, and its diameter; its depth.
+    /// A disc, which may end within pixels: its centre in steps of 1/256 pixel, and its diameter; its depth, and the weights of three
+    /// vertices.
     Disc {
         centre: [i32; 2],
         size: f32,
         depth: f32,
+        weights: [f32; 3],
     },
-    /// Left, bottom, and the side of a square of pixels; its depth.
+    /// Left, bottom, and the side of a square of pixels; its depth, and the weights of three vertices.
     Point {
         corner: [i32; 2],
         side: i32,
         depth: f32,
+        weights: [f32; 3],
     },
 }
 

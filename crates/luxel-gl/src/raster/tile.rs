@@ -241,7 +241,7 @@ impl<'a> TileWorker<'a> {
                         image(&mut sink, of, depth);
                     }
                 }
-                Shape::Point { corner, side, depth } => point(&mut sink, corner, side, depth),
+                Shape::Point { corner, side, depth, .. } => point(&mut sink, corner, side, depth),
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Which pixels polygons, points and lines have (sections 3.3 to 3.5).
 
 use crate::canvas::{canvas, draw, gl, pixels};
+use luxel_gl::Context;
 use proptest::prelude::*;
 
 const SIDE: i32 = 24;
@@ -149,4 +150,66 @@ fn section_2_6_2_flat_colours_come_from_the_last_vertex_but_of_polygons_from_the
         let expected = [(provoking as f32 / 3.0 * 255.0).round() as u8, 0, 0, 255];
         assert_eq!(pixels(&mut context)[8 + 6], expected);
     }
+}
+
+/// A triangle of lines or points with a plane of the user at x = 8: what lies to its left stays.
+fn cut_triangle(mode: u32) -> Vec<[u8; 4]> {
+    let mut context = canvas(16, 16);
+    context.clip_plane(0x3000, [-1.0, 0.0, 0.0, 8.5]);
+    context.enable(0x3000);
+    context.polygon_mode(0x0408, mode);
+    draw(&mut context, gl::TRIANGLES, &[[2.5, 2.5, 0.0], [14.5, 2.5, 0.0], [2.5, 14.5, 0.0]]);
+    assert_eq!(context.get_error(), gl::NO_ERROR);
+    pixels(&mut context)
+}
+
+#[test]
+fn section_2_11_clipping_makes_edges_along_the_users_planes() {
+    let lines = cut_triangle(0x1B01);
+    let is_drawn = |at: [usize; 2]| lines[at[1] * 16 + at[0]] != [0; 4];
+    let column = (2..9).filter(|y| is_drawn([8, *y])).count();
+    assert!(column >= 5, "the edge along the plane has {column} pixels");
+    assert!(is_drawn([2, 5]) && is_drawn([5, 2]) && !is_drawn([11, 2]) && !is_drawn([5, 5]));
+    let points = cut_triangle(0x1B00);
+    let drawn: Vec<usize> = (0..256).filter(|at| points[*at] != [0; 4]).collect();
+    assert_eq!(drawn, [2 * 16 + 2, 2 * 16 + 8, 8 * 16 + 8, 14 * 16 + 2]);
+}
+
+#[test]
+fn section_2_11_lines_of_polygons_end_at_the_sides_of_the_window() {
+    let mut context = canvas(16, 16);
+    context.polygon_mode(0x0408, 0x1B01);
+    draw(&mut context, gl::TRIANGLES, &[[-8.0, 4.5, 0.0], [24.0, 4.5, 0.0], [8.0, 40.0, 0.0]]);
+    let drawn = pixels(&mut context);
+    let row = (0..16).filter(|x| drawn[4 * 16 + x] != [0; 4]).count();
+    assert!(row >= 15, "{row}");
+    let side = (6..9).filter(|y| drawn[y * 16] != [0; 4]).count();
+    assert_eq!(side, 0, "no edge goes along the window's side");
+}
+
+#[test]
+fn section_3_5_quads_that_are_clipped_are_split_as_those_of_lists() {
+    let quad = |context: &mut Context, reach: f32| {
+        context.begin(gl::QUADS);
+        let corners = [[0.0, 0.0], [reach, 0.0], [16.0, 16.0], [0.0, 16.0]];
+        for (number, [x, y]) in corners.into_iter().enumerate() {
+            context.color([(number % 2) as f32, 0.0, 0.0, 1.0]);
+            context.vertex([x, y, 0.0, 1.0]);
+        }
+        context.end();
+    };
+    let centre = |reach: f32, listed: bool| {
+        let mut context = canvas(16, 16);
+        if listed {
+            context.new_list(1, gl::COMPILE);
+            quad(&mut context, reach);
+            context.end_list();
+            context.call_list(1);
+        } else {
+            quad(&mut context, reach);
+        }
+        pixels(&mut context)[8 * 16 + 8][0]
+    };
+    assert!(centre(16.0, false) < 40 && centre(16.0, true) > 215);
+    assert_eq!(centre(17.0, false), centre(17.0, true));
 }
