@@ -78,7 +78,10 @@ impl Context {
             self.error.set(gl::INVALID_ENUM);
             return;
         };
-        demand!(self, !values.is_empty(), gl::INVALID_ENUM);
+        // One value is no border's colour, but for a list, as in Mesa.
+        let too_few = pname == gl::TEXTURE_BORDER_COLOR && values.len() < 4;
+        let sound = !values.is_empty() && (!too_few || self.is_compiling());
+        demand!(self, sound, gl::INVALID_ENUM);
         let texture = self.active_texture_of(target);
         let mut texture = locked(&texture);
         let mut parameters = *texture.parameters();

@@ -259,7 +259,8 @@ fn section_5_4_long_primitives_within_others_are_an_error_and_vertices() {
 
 #[test]
 fn section_5_4_a_list_repeats_the_errors_of_commands_between_begin_and_end() {
-    let commands: [(&str, fn(&mut Context)); 3] = [
+    type Drawing = fn(&mut Context);
+    let commands: [(&str, Drawing); 3] = [
         ("glBitmap", |context| context.bitmap([1, 1], [0.0; 2], [0.0; 2], Some(&[0x80]))),
         ("glDrawArrays", |context| context.draw_arrays(gl::POINTS, 0, 1, &NoClientMemory)),
         ("glDrawElements", |context| {
