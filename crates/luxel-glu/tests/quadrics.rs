@@ -44,11 +44,12 @@ impl Notes {
         self.primitives.iter().flat_map(|(_, vertices)| vertices)
     }
 
-    /// The quads of strips and of quads.
+    /// The quads of strips and of quads; triangles of fans, with a corner twice.
     fn quads(&self) -> Vec<[Vertex; 4]> {
         let mut quads = Vec::new();
         for (mode, v) in &self.primitives {
             match mode {
+                6 => quads.extend(v[1..].windows(2).map(|pair| [v[0], pair[0], pair[1], pair[1]])),
                 7 => quads.extend(v.chunks(4).map(|q| [q[0], q[1], q[2], q[3]])),
                 8 => quads.extend(
                     (0..v.len() - 3).step_by(2).map(|i| [v[i], v[i + 1], v[i + 3], v[i + 2]]),
@@ -95,6 +96,24 @@ fn a_sphere_has_its_radius_its_normals_and_nearly_its_volume() {
         let exact = sign * 32.0 * std::f64::consts::PI / 3.0;
         assert!((volume / exact - 1.0).abs() < 0.01, "{volume} is not nearly {exact}");
     }
+}
+
+#[test]
+fn flat_shading_lights_each_facet_about_a_pole_by_a_corner_of_its_own() {
+    let mut notes = Notes::default();
+    Quadric::default().sphere(&mut notes, 1.0, 6, 4).unwrap();
+    let fans: Vec<_> = notes.primitives.iter().filter(|(mode, _)| *mode == 6).collect();
+    assert_eq!(fans.len(), 2);
+    for (_, fan) in fans {
+        assert_eq!(fan.len(), 8);
+        assert_eq!(fan[0].position[2].abs(), 1.0);
+        assert!(fan[1..].windows(2).all(|pair| pair[0].normal != pair[1].normal));
+    }
+    // Texture coordinates of a pole are others for each facet.
+    let mut notes = Notes::default();
+    let textured = Quadric { textured: true, ..Quadric::default() };
+    textured.sphere(&mut notes, 1.0, 6, 4).unwrap();
+    assert!(notes.primitives.iter().all(|(mode, _)| *mode == 8));
 }
 
 #[test]

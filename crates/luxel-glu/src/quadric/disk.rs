@@ -23,6 +23,10 @@ impl Shape for Disk {
         [false, self.inner == 0.0]
     }
 
+    fn has_fans(&self, _: bool) -> bool {
+        true
+    }
+
     fn corner(&self, around: f64, inwards: f64) -> Corner {
         let [sine, cosine] = turned(self.start, self.sweep, around);
         let radius = self.outer - inwards * (self.outer - self.inner);

@@ -10,9 +10,14 @@ pub(super) struct Sphere {
 impl Shape for Sphere {
     const IS_CURVED_ACROSS: bool = true;
     const IS_CURVED_UP: bool = true;
+    const LINES_RUN_DOWN: bool = true;
 
     fn ends_in_points(&self) -> [bool; 2] {
         [true, true]
+    }
+
+    fn has_fans(&self, textured: bool) -> bool {
+        !textured
     }
 
     fn corner(&self, around: f64, upwards: f64) -> Corner {

@@ -5,6 +5,7 @@ use crate::drawing::Drawing;
 
 const POINTS: u32 = 0;
 const LINE_STRIP: u32 = 3;
+const TRIANGLE_FAN: u32 = 6;
 const QUADS: u32 = 7;
 const QUAD_STRIP: u32 = 8;
 
@@ -29,12 +30,21 @@ pub(super) trait Shape {
     const IS_CURVED_ACROSS: bool;
     /// The same of facets above each other.
     const IS_CURVED_UP: bool;
+    /// Whether lines come from the last row on, and run from there to the first one, as those of SGI's library do: which
+    /// pixels they have depends on it.
+    const LINES_RUN_DOWN: bool = false;
     /// Whether the last column is the first.
     fn is_closed(&self) -> bool {
         true
     }
     /// Whether the first row is a single point, and whether the last one is.
     fn ends_in_points(&self) -> [bool; 2];
+    /// Whether smooth facets about such a point are a fan, as SGI's library makes them: flat shading lights each of them by
+    /// a corner of its own then. Else the point is a corner of each.
+    fn has_fans(&self, textured: bool) -> bool {
+        let _ = textured;
+        false
+    }
     /// The surface there.
     fn corner(&self, across: f64, up: f64) -> Corner;
 }
@@ -82,7 +92,7 @@ impl<S: Shape, D: Drawing> Walk<'_, S, D> {
     /// The first and the last row and, of surfaces that aren't closed, column; those between if they are wanted.
     fn lines(&mut self, inner_rows: bool, inner_columns: bool) {
         let Grid { across, up } = self.grid;
-        for row in (0..=up).filter(|&row| inner_rows || row == 0 || row == up) {
+        for row in self.rows().filter(|&row| inner_rows || row == 0 || row == up) {
             self.row(row);
         }
         let is_end = |column| column == 0 || column == across;
@@ -109,14 +119,33 @@ impl<S: Shape, D: Drawing> Walk<'_, S, D> {
 
     fn column(&mut self, column: u32) {
         self.drawing.begin(LINE_STRIP);
-        for row in 0..=self.grid.up {
+        for row in self.rows() {
             self.vertex(column, row, true);
         }
         self.drawing.end();
     }
 
+    /// All rows in the order of lines.
+    fn rows(&self) -> impl Iterator<Item = u32> + use<S, D> {
+        let up = self.grid.up;
+        (0..=up).map(move |row| if S::LINES_RUN_DOWN { up - row } else { row })
+    }
+
     fn smooth_facets(&mut self) {
-        for row in 0..self.grid.up {
+        let up = self.grid.up;
+        let [mut first, mut last] = self.shape.ends_in_points();
+        if up < 2 || !self.shape.has_fans(self.quadric.textured) {
+            (first, last) = (false, false);
+        }
+        for row in 0..up {
+            if row == 0 && first {
+                self.fan(0, 1);
+                continue;
+            }
+            if row + 1 == up && last {
+                self.fan(up, row);
+                continue;
+            }
             self.drawing.begin(QUAD_STRIP);
             for column in 0..=self.grid.across {
                 for row in self.counterclockwise(row) {
@@ -125,6 +154,18 @@ impl<S: Shape, D: Drawing> Walk<'_, S, D> {
             }
             self.drawing.end();
         }
+    }
+
+    /// The facets between a row that is a point and the row beside it.
+    fn fan(&mut self, point: u32, beside: u32) {
+        let across = self.grid.across;
+        let backwards = (point > beside) == (self.quadric.orientation == Orientation::Outside);
+        self.drawing.begin(TRIANGLE_FAN);
+        self.vertex(0, point, true);
+        for column in 0..=across {
+            self.vertex(if backwards { across - column } else { column }, beside, true);
+        }
+        self.drawing.end();
     }
 
     /// Quads of their own, since neighbours have other normals; the corner that flat shading lights is that of a strip.
