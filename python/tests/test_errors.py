@@ -161,7 +161,17 @@ def test_random_arguments_never_end_the_interpreter():
     assert done > 100
 
 
-@pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals need the main thread")
+@pytest.fixture
+def ctrl_c():
+    """Python handles Ctrl-C, which a shell's background jobs ignore."""
+    if threading.current_thread() is not threading.main_thread():
+        pytest.skip("signals need the main thread")
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("ctrl_c")
 @pytest.mark.parametrize("layers", [None, ["z", "openness"]])
 def test_ctrl_c_ends_a_picture_in_the_middle(layers):
     scene = luxel.load("demo:teapot")
@@ -176,7 +186,7 @@ def test_ctrl_c_ends_a_picture_in_the_middle(layers):
     assert scene.render((64, 64), ao=True).rgba.any()
 
 
-@pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals need the main thread")
+@pytest.mark.usefixtures("ctrl_c")
 @pytest.mark.parametrize(("mode", "count"), [("closest", 2_000_000), ("any", 2_000_000), ("all", 600_000)])
 def test_ctrl_c_ends_many_rays_in_the_middle(mode, count):
     scene = luxel.load("demo:blob")
@@ -197,7 +207,7 @@ def test_ctrl_c_ends_many_rays_in_the_middle(mode, count):
     assert time.perf_counter() - start < whole / 2
 
 
-@pytest.mark.skipif(threading.current_thread() is not threading.main_thread(), reason="signals need the main thread")
+@pytest.mark.usefixtures("ctrl_c")
 def test_ctrl_c_ends_long_work():
     scene = luxel.load("demo:teapot")
     timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))
