@@ -176,7 +176,7 @@ fn section_6_1_3_what_is_attached_can_be_asked_for() {
     attach(&mut context, DEPTH_STENCIL, 0x88F0);
     assert_eq!(ask(&mut context, DEPTH_STENCIL, OBJECT_TYPE), Ok(RENDERBUFFER as i32));
     assert_eq!(ask(&mut context, STENCIL, COMPONENT_TYPE), Ok(0x8222));
-    // There is no colour to be read.
+    // The framebuffer has no colours to read.
     let mut bytes = [0; 4];
     context.read_pixels(0, 0, 1, 1, gl::RGBA, gl::UNSIGNED_BYTE, &mut bytes);
     assert_eq!(context.get_error(), gl::INVALID_OPERATION);
