@@ -137,7 +137,7 @@ impl Context {
         self.set_pointer(gl::TEXTURE_COORD_ARRAY, [size, stride], data_type, pointer, allowed);
     }
 
-    /// `glLockArraysEXT` (EXT_compiled_vertex_array): a promise that vertices stay as they are, of which nothing is made.
+    /// `glLockArraysEXT` (EXT_compiled_vertex_array): a promise that vertices stay as they are; drawing does not use it.
     pub fn lock_arrays(&mut self, first: i32, count: i32) {
         outside_begin!(self);
         demand!(self, first >= 0 && count > 0, gl::INVALID_VALUE);

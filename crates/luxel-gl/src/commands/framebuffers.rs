@@ -29,6 +29,11 @@ impl Context {
         self.color_format_of(self.framebuffers.draw, self.framebuffers.color)
     }
 
+    /// Whether these colours have alphas of their own.
+    pub(crate) fn has_alpha(&self) -> bool {
+        self.color_format().present()[3]
+    }
+
     fn color_format_of(&self, name: u32, place: usize) -> BaseFormat {
         let Some(object) = self.framebuffers.get(name) else {
             return if self.configuration.alpha { BaseFormat::Rgba } else { BaseFormat::Rgb };
@@ -66,11 +71,6 @@ impl Context {
             Some(object) => object.read_buffer,
             None => self.framebuffers.default_buffers[1],
         }
-    }
-
-    /// Whether those have alphas of their own.
-    pub(crate) fn has_alpha(&self) -> bool {
-        self.color_format().present()[3]
     }
 
     /// Sets an error if what is bound for drawing can't be drawn to.

@@ -172,7 +172,7 @@ impl PixelFormat {
         }
         let elements = Elements::named(data_type).ok_or(gl::INVALID_ENUM)?;
         let is_packed = matches!(elements, Elements::Packed { .. } | Elements::FloatAndByte);
-        // A packed type beside a format that isn't any is a mismatch first, as in Mesa.
+        // A packed type beside an unknown format is a mismatch first, as in Mesa.
         let other = if is_packed { gl::INVALID_OPERATION } else { gl::INVALID_ENUM };
         let components = Components::named(format).ok_or(other)?;
         let fit = match (components, elements) {

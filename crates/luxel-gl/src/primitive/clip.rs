@@ -36,10 +36,8 @@ pub(crate) trait Cut: Copy {
     /// inside + (outside - inside) t
     fn between(inside: &Self, outside: &Self, t: f64) -> Self;
 
-    /// Says which of so many corners it is, for those that want to know where a polygon leaves.
-    fn set_order(&mut self, number: usize, count: usize) {
-        let _ = (number, count);
-    }
+    /// Says which of so many corners it is, for those that mark where a polygon leaves.
+    fn set_order(&mut self, _number: usize, _count: usize) {}
 }
 
 impl Cut for ClipCorner {

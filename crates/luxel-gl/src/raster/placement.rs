@@ -41,7 +41,7 @@ pub(super) fn area([a, b, c]: [WindowVertex; 3]) -> f64 {
 }
 
 /// The area of a polygon in the window, doubled: positive where it runs counter-clockwise. Of one that reaches behind the
-/// eye, and of vertices whose places nobody needed, only the sign means something.
+/// eye, and of vertices without places in the window, only the sign means something.
 pub(crate) fn polygon_area(vertices: &Processed, scale: &WindowScale, corners: &[u32]) -> f64 {
     let held = |corner: &u32| vertices.codes[*corner as usize] & codes::NOT_HELD == 0;
     let fans = corners[1..].windows(2);

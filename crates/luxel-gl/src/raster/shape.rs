@@ -47,8 +47,8 @@ pub(crate) enum Shape {
         width: f32,
         counter: Option<u32>,
     },
-    /// A disc, which may end within pixels: its centre in steps of 1/256 pixel, and its diameter; its depth, and the weights of three
-    /// vertices.
+    /// A disc, which may end within pixels: its centre in steps of 1/256 pixel, and its diameter; its depth, and the
+    /// weights of three vertices.
     Disc {
         centre: [i32; 2],
         size: f32,
