@@ -62,7 +62,7 @@ pub use box_tree::BoxTree;
 pub use build::Quality;
 pub use bvh::{Bvh, TooManyForTree};
 pub use intersect::SlabTest;
-pub use ray::{Ray, RayHit};
+pub use ray::{Ray, RayColumns, RayHit};
 pub use rays::MeshRays;
 pub use tree::{
     Block, Child, LeafBlocks, MAX_TRIANGLES, Node, Subtree, TreeView, VertexMap, WIDTH,

@@ -1,5 +1,7 @@
 //! Rays and hits.
 
+use luxel_math::LANES;
+
 /// A ray: all points `origin + t * direction` with t within `range`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
@@ -10,6 +12,58 @@ pub struct Ray {
     pub direction: [f32; 3],
     /// The smallest t, not below 0, and the largest, which may be infinite. Both are included.
     pub range: [f32; 2],
+}
+
+/// Up to sixteen rays side by side, component by component.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct RayColumns {
+    /// The points at t = 0, axis by axis.
+    pub origin: [[f32; LANES]; 3],
+    /// The directions, axis by axis, of any length but 0.
+    pub direction: [[f32; LANES]; 3],
+    /// The smallest t and the largest, as in [`Ray::range`].
+    pub range: [[f32; LANES]; 2],
+    /// A bit for each lane that has a ray.
+    pub lanes: u32,
+}
+
+impl RayColumns {
+    /// No rays.
+    pub const NONE: Self = Self {
+        origin: [[0.0; LANES]; 3],
+        direction: [[0.0; LANES]; 3],
+        range: [[0.0; LANES]; 2],
+        lanes: 0,
+    };
+
+    /// The ray of a lane.
+    ///
+    /// # Panics
+    /// If there are fewer lanes.
+    #[must_use]
+    pub fn ray(&self, lane: usize) -> Ray {
+        Ray {
+            origin: self.origin.map(|row| row[lane]),
+            direction: self.direction.map(|row| row[lane]),
+            range: self.range.map(|row| row[lane]),
+        }
+    }
+
+    /// Puts a ray into a lane.
+    ///
+    /// # Panics
+    /// If there are fewer lanes.
+    pub fn put(&mut self, lane: usize, ray: &Ray) {
+        for axis in 0..3 {
+            self.origin[axis][lane] = ray.origin[axis];
+            self.direction[axis][lane] = ray.direction[axis];
+        }
+        for (row, end) in self.range.iter_mut().zip(ray.range) {
+            row[lane] = end;
+        }
+        self.lanes |= 1 << lane;
+    }
 }
 
 /// Where a ray hits a triangle.

@@ -2,10 +2,10 @@
 
 use crate::bvh::Bvh;
 use crate::intersect::{ShearedRay, SlabTest, intersect_block};
-use crate::ray::{Ray, RayHit};
+use crate::ray::{Ray, RayColumns, RayHit};
 use crate::traverse::{
-    AnyHit, ClosestHit, RayQuery, RaySetup, RaySlabs, RayTarget, set_up, trace_batch, trace_here,
-    trace_unusual, trace_usual,
+    AnyHit, ClosestHit, RayQuery, RaySetup, RaySlabs, RayTarget, any_of_columns, set_up,
+    trace_batch, trace_here, trace_unusual, trace_usual,
 };
 use luxel_math::{Level, SimdLevel, dispatch_long};
 
@@ -145,6 +145,16 @@ impl<'m> MeshRays<'m> {
     pub fn any_of_incoherent(&self, rays: &[Ray], hits: &mut [bool]) {
         assert_eq!(rays.len(), hits.len(), "each ray has an answer");
         trace_here::<AnyHit>(&self.0, rays, false, hits);
+    }
+
+    /// [`Self::any_of_few`] for rays that lie side by side already: a bit for each lane that has a ray, whether
+    /// it hits anything. Up to four columns are traced together.
+    ///
+    /// # Panics
+    /// If `hits` isn't as long as `rays`.
+    pub fn any_of_columns(&self, rays: &[RayColumns], hits: &mut [u32]) {
+        assert_eq!(rays.len(), hits.len(), "each ray has an answer");
+        any_of_columns(&self.0, rays, hits);
     }
 
     fn trace_batch<Q: RayQuery>(&self, rays: &[Ray], answers: &mut Vec<Q::Answer>) {

@@ -104,12 +104,6 @@ impl<N: Lanes> LaneRange<N> {
     pub(crate) fn ends(&self) -> [f32; 2] {
         [self.least(), self.greatest()]
     }
-
-    #[inline(always)]
-    pub(crate) fn width(&self) -> f32 {
-        let [least, greatest] = self.ends();
-        greatest - least
-    }
 }
 
 /// The maximum over the lanes of a group.

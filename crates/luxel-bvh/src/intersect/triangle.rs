@@ -298,7 +298,7 @@ pub(crate) fn intersect_rays<N: Lanes>(
     (t, hits)
 }
 
-/// The rays of a group that hit a triangle of a block, of those whose bit is set in `active`.
+/// The rays of a group that hit one of some triangles of a block, of those whose bit is set in `active`.
 ///
 /// Vertices that triangles share are transformed once, into `vertices`. Which rays pass on one side of all
 /// three edges decides whether anything else is computed: of all triangles first, since a branch for each
@@ -307,17 +307,18 @@ pub(crate) fn intersect_rays<N: Lanes>(
 pub(crate) fn block_hits<S: Simd, N: Lanes>(
     simd: S,
     lanes: N,
-    (block, positions): (Block<'_>, &[[f32; 3]]),
+    (block, positions, mut triangles): (Block<'_>, &[[f32; 3]], u32),
     (rays, group, axes, range): (&ShearedRows, usize, [usize; 3], [&Row; 2]),
     (active, is_negative): (u32, bool),
     vertices: &mut [[N; 3]; WIDTH],
 ) -> u32 {
     let header = block.header();
-    let count = header.count();
     let mut hits = 0;
     if header.rows() != VertexRows::Shared {
         let gathered = gather(simd, block, positions);
-        for of in 0..count {
+        while triangles != 0 {
+            let of = triangles.trailing_zeros() as usize & (WIDTH - 1);
+            triangles &= triangles - 1;
             let triangle = (&gathered, axes, of);
             hits |= intersect_rays(lanes, triangle, (rays, group), is_negative, range, active).1;
         }
@@ -338,7 +339,9 @@ pub(crate) fn block_hits<S: Simd, N: Lanes>(
     }
     let zero = lanes.zero();
     let (mut passing, mut passed) = ([0; WIDTH], 0);
-    for of in 0..count {
+    while triangles != 0 {
+        let of = triangles.trailing_zeros() as usize & (WIDTH - 1);
+        triangles &= triangles - 1;
         let [a, b, c] = block.vertices_of(of).map(|vertex| &vertices[vertex]);
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
@@ -347,7 +350,7 @@ pub(crate) fn block_hits<S: Simd, N: Lanes>(
         let most = u.maximum(v).maximum(w);
         let passes = !(least.less(zero) & zero.less(most));
         let bits = passes.bits() & active;
-        passing[of & (WIDTH - 1)] = bits;
+        passing[of] = bits;
         passed |= u32::from(bits != 0) << of;
     }
     while passed != 0 {

@@ -1,6 +1,6 @@
 //! Batches: many rays, in packets where they are coherent.
 
-use super::packet::{LEAST, Packet};
+use super::packet::{LEAST, PACKETS, Packet};
 use super::packet_kind::{PacketKind, kinds_of};
 use super::packet_traversal::trace_packet;
 use super::query::RayQuery;
@@ -14,7 +14,6 @@ use luxel_math::{
     Simd, dispatch_long, f32x8, f32x16, has_wide_registers, is_specialized, prelude::*,
 };
 use luxel_parallel::fill;
-use std::cell::RefCell;
 
 /// Rays per task.
 const CHUNK: usize = 1024;
@@ -41,10 +40,6 @@ static IN_ORDER: [u8; MANY] = {
 
 /// Trees of more bytes exceed the caches: incoherent rays wait for memory and take turns.
 const FAR: usize = 1 << 24;
-
-thread_local! {
-    static PACKETS: RefCell<Box<Packet>> = RefCell::new(Box::new(Packet::new()));
-}
 
 /// Traces rays on all threads of the current pool. `answers` must be as long as `rays`.
 pub(crate) fn trace_batch<Q: RayQuery>(

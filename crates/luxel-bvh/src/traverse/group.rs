@@ -12,7 +12,7 @@ use super::packet::Packet;
 use super::stack::TraversalStack;
 use super::target::RayTarget;
 use crate::intersect::{block_hits, intersect_block, lane, load, width};
-use crate::tree::{Child, Node, WIDTH, block_at};
+use crate::tree::{Block, Child, Node, WIDTH, block_at};
 use luxel_math::{Simd, prelude::*};
 
 /// From so many leaves on, they are tested. With one, eight and 24 rays of openness took 1.02, 1.00 and 1.01
@@ -76,7 +76,7 @@ pub(super) fn trace_group<S: Simd, N: Lanes>(
 
 /// The rays of a group, of those that ask, that hit a triangle of a leaf.
 #[inline(always)]
-pub(super) fn leaf_hits<S: Simd, N: Lanes>(
+fn leaf_hits<S: Simd, N: Lanes>(
     simd: S,
     lanes: N,
     target: &RayTarget<'_>,
@@ -87,29 +87,44 @@ pub(super) fn leaf_hits<S: Simd, N: Lanes>(
     let mut hits = 0;
     let Some(mut start) = leaf.as_block() else { return 0 };
     while let Some(block) = block_at(target.tree.words, start) {
-        if asking.count_ones() > ALONE {
-            let of = (block, target.positions);
-            let range = [&packet.start, &packet.nearest];
-            let rays = (&packet.sheared, group, packet.axes, range);
-            let is_negative = packet.reversed[packet.longest] != 0;
-            hits |= block_hits(simd, lanes, of, rays, (asking, is_negative), vertices);
-        } else {
-            let mut rays = asking;
-            while rays != 0 {
-                let ray = rays.trailing_zeros() as usize;
-                rays &= rays - 1;
-                let of = group * width::<N>() + ray;
-                let range = [lane(&packet.start, of), lane(&packet.nearest, of)];
-                let sheared = packet.ray(of);
-                let (_, bits) = intersect_block(simd, block, target.positions, &sheared, range);
-                hits |= u32::from(bits != 0) << ray;
-            }
-        }
         let header = block.header();
+        let all = u32::MAX >> (u32::BITS - header.count() as u32);
+        hits |= hits_of_block(simd, lanes, target, packet, (block, all), (group, asking), vertices);
         if !header.more_follow() {
             break;
         }
         start += header.len();
+    }
+    hits
+}
+
+/// The rays of a group, of those that ask, that hit one of some triangles of a block.
+#[inline(always)]
+pub(super) fn hits_of_block<S: Simd, N: Lanes>(
+    simd: S,
+    lanes: N,
+    target: &RayTarget<'_>,
+    packet: &Packet,
+    (block, triangles): (Block<'_>, u32),
+    (group, asking): (usize, u32),
+    vertices: &mut [[N; 3]; WIDTH],
+) -> u32 {
+    if asking.count_ones() > ALONE {
+        let of = (block, target.positions, triangles);
+        let range = [&packet.start, &packet.nearest];
+        let rays = (&packet.sheared, group, packet.axes, range);
+        let is_negative = packet.reversed[packet.longest] != 0;
+        return block_hits(simd, lanes, of, rays, (asking, is_negative), vertices);
+    }
+    let (mut hits, mut rays) = (0, asking);
+    while rays != 0 {
+        let ray = rays.trailing_zeros() as usize;
+        rays &= rays - 1;
+        let of = group * width::<N>() + ray;
+        let range = [lane(&packet.start, of), lane(&packet.nearest, of)];
+        let sheared = packet.ray(of);
+        let (_, bits) = intersect_block(simd, block, target.positions, &sheared, range);
+        hits |= u32::from(bits != 0) << ray;
     }
     hits
 }

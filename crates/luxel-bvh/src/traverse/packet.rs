@@ -13,9 +13,10 @@ use crate::intersect::{
     ALMOST_ZERO, EMPTY_ROW, LaneRange, PACKET, PADDING, Row, ShearedRay, ShearedRows, greatest,
     lane, load, padding, shifted, store, width,
 };
-use crate::ray::{Ray, USUAL_LENGTHS, axis_order};
+use crate::ray::{Ray, RayColumns, USUAL_LENGTHS, axis_order};
 use crate::tree::{Node, WIDTH};
-use luxel_math::{LANES, Simd, f32x8, prelude::*};
+use luxel_math::{LANES, Simd, f32x8, f32x16, prelude::*};
+use std::cell::RefCell;
 
 /// Fewer rays are traced singly.
 pub(crate) const LEAST: usize = 8;
@@ -30,10 +31,12 @@ const SPREAD: f32 = 0.25;
 #[derive(Clone, Copy)]
 pub(super) struct RayInterval {
     /// The origins that yield the nearest near planes and the farthest far planes.
-    near_origin: [f32; 3],
-    far_origin: [f32; 3],
+    pub(super) near_origin: [f32; 3],
+    pub(super) far_origin: [f32; 3],
     /// The smallest and largest reciprocal directions.
     inverse: [[f32; 2]; 3],
+    /// The smallest and largest shears.
+    pub(super) shear: [[f32; 2]; 2],
     start: f32,
 }
 
@@ -59,6 +62,11 @@ pub(crate) struct Packet {
     pub(crate) longest: usize,
     pub(crate) axes: [usize; 3],
     pub(crate) reversed: [usize; 3],
+}
+
+thread_local! {
+    /// The packet of a thread.
+    pub(super) static PACKETS: RefCell<Box<Packet>> = RefCell::new(Box::new(Packet::new()));
 }
 
 impl Packet {
@@ -89,11 +97,10 @@ impl Packet {
         let mut common = SharedSigns::default();
         for (number, sixteen) in rays.chunks(LANES).enumerate() {
             let (low, high) = sixteen.split_at(WIDTH.min(sixteen.len()));
-            let (low, signs) = load_up_to_eight(simd, low, first);
-            common.include(signs);
-            let (high, signs) = load_up_to_eight(simd, high, first);
-            common.include(signs);
-            self.put(number, sixteen.len(), low, high);
+            let low = load_up_to_eight(simd, low, first);
+            let columns = combined(low, load_up_to_eight(simd, high, first));
+            common.include(SignBits::of(columns));
+            self.put(number, sixteen.len(), columns);
         }
         common.kind()
     }
@@ -106,22 +113,55 @@ impl Packet {
             let ray = |lane: usize| &rays[usize::from(*sixteen.get(lane).unwrap_or(&first))];
             let low = [ray(0), ray(1), ray(2), ray(3), ray(4), ray(5), ray(6), ray(7)];
             let high = [ray(8), ray(9), ray(10), ray(11), ray(12), ray(13), ray(14), ray(15)];
-            let ((low, _), (high, _)) = (load_eight(simd, low), load_eight(simd, high));
-            self.put(number, sixteen.len(), low, high);
+            let columns = combined(load_eight(simd, low), load_eight(simd, high));
+            self.put(number, sixteen.len(), columns);
         }
+    }
+
+    /// Loads up to 64 rays that lie side by side; returns their kind if they share one.
+    #[inline(always)]
+    pub(crate) fn load_columns<S: Simd>(
+        &mut self,
+        simd: S,
+        rays: &[RayColumns],
+    ) -> Option<PacketKind> {
+        let lanes = f32x16::splat(simd, 0.0);
+        let mut common = SharedSigns::default();
+        for (number, rays) in rays.iter().enumerate() {
+            let number = number % (PACKET / LANES);
+            let RayColumns { origin: [ox, oy, oz], direction: [dx, dy, dz], .. } = rays;
+            let [nearest, farthest] = &rays.range;
+            let mut columns = [ox, oy, oz, dx, dy, dz, nearest, farthest].map(
+                #[inline(always)]
+                |column| lanes.load(column, 0),
+            );
+            let full = lanes.all_lanes();
+            let mask = lanes.mask_of(rays.lanes);
+            if rays.lanes != full {
+                // The others repeat the first, so that they widen no interval.
+                let first = rays.lanes.trailing_zeros() as usize % LANES;
+                for (row, column) in columns.iter_mut().enumerate() {
+                    let all = [ox, oy, oz, dx, dy, dz, nearest, farthest];
+                    *column = column.select(mask, lanes.constant(all[row][first]));
+                }
+            }
+            common.include(SignBits::of(columns));
+            if rays.lanes != full {
+                // An empty range.
+                columns[ROWS - 1] = columns[ROWS - 1].select(mask, lanes.constant(-1.0));
+            }
+            for (row, column) in self.rows.iter_mut().zip(columns) {
+                column.store_slice(&mut row[number]);
+            }
+        }
+        common.kind()
     }
 
     /// Stores sixteen rays, of which the first `count` are valid.
     #[inline(always)]
-    fn put<S: Simd>(
-        &mut self,
-        number: usize,
-        count: usize,
-        low: [f32x8<S>; ROWS],
-        high: [f32x8<S>; ROWS],
-    ) {
-        for (row, (low, high)) in self.rows.iter_mut().zip(low.into_iter().zip(high)) {
-            low.combine(high).store_slice(&mut row[number % (PACKET / LANES)]);
+    fn put<S: Simd>(&mut self, number: usize, count: usize, columns: [f32x16<S>; ROWS]) {
+        for (row, column) in self.rows.iter_mut().zip(columns) {
+            column.store_slice(&mut row[number % (PACKET / LANES)]);
         }
         // The others get an empty range.
         for end in &mut self.rows[ROWS - 1][number % (PACKET / LANES)][count.min(LANES)..] {
@@ -130,8 +170,24 @@ impl Packet {
     }
 
     /// Prepares `count` loaded rays of one kind; returns whether all are valid and of usual lengths.
-    #[inline(always)]
+    ///
+    /// Outlined: one copy per lane type.
+    #[inline(never)]
     pub(crate) fn prepare<N: Lanes>(
+        &mut self,
+        lanes: N,
+        target: &RayTarget<'_>,
+        kind: PacketKind,
+        count: usize,
+    ) -> bool {
+        lanes.vectorized(
+            #[inline(always)]
+            || self.prepare_here(lanes.zero(), target, kind, count),
+        )
+    }
+
+    #[inline(always)]
+    fn prepare_here<N: Lanes>(
         &mut self,
         lanes: N,
         target: &RayTarget<'_>,
@@ -229,9 +285,15 @@ impl Packet {
         }
     }
 
+    /// Which of all groups that were loaded this one is.
+    #[inline(always)]
+    pub(super) fn number(&self, group: usize) -> usize {
+        self.numbers[group % GROUPS]
+    }
+
     /// The rays of a group that have hit something, a bit each.
     #[inline(always)]
-    fn hits<N: Lanes>(&self, lanes: N, group: usize) -> u32 {
+    pub(super) fn hits<N: Lanes>(&self, lanes: N, group: usize) -> u32 {
         let (first, mut of_group) = (group * width::<N>(), [u32::MAX; LANES]);
         let triangles = &self.triangle[first % PACKET..][..width::<N>()];
         of_group[..width::<N>()].copy_from_slice(triangles);
@@ -296,16 +358,27 @@ impl Packet {
     }
 
     /// The interval around all rays; `None` if they aren't coherent enough for one.
-    #[inline(always)]
+    ///
+    /// Outlined: one copy per lane type.
+    #[inline(never)]
     pub(super) fn interval<N: Lanes>(
         &self,
         lanes: N,
         target: &RayTarget<'_>,
     ) -> Option<RayInterval> {
+        lanes.vectorized(
+            #[inline(always)]
+            || self.interval_here(lanes.zero(), target),
+        )
+    }
+
+    #[inline(always)]
+    fn interval_here<N: Lanes>(&self, lanes: N, target: &RayTarget<'_>) -> Option<RayInterval> {
         let mut interval = RayInterval {
             near_origin: [0.0; 3],
             far_origin: [0.0; 3],
             inverse: [[0.0; 2]; 3],
+            shear: [0, 1].map(|side| [lane(&self.sheared.shear[side], 0); 2]),
             start: self.range(lanes, &self.start).least(),
         };
         let mut is_close = true;
@@ -334,8 +407,9 @@ impl Packet {
             for axis in 0..3 {
                 interval.inverse[axis] = self.range(lanes, &self.inverse[axis]).ends();
             }
-            for row in &self.sheared.shear[..2] {
-                is_close &= self.range(lanes, row).width() <= SPREAD;
+            for (shear, row) in interval.shear.iter_mut().zip(&self.sheared.shear) {
+                *shear = self.range(lanes, row).ends();
+                is_close &= shear[1] - shear[0] <= SPREAD;
             }
         }
         is_close.then_some(interval)
@@ -362,13 +436,19 @@ impl Packet {
     }
 }
 
+/// Eight rays and eight more.
+#[inline(always)]
+fn combined<S: Simd>(low: [f32x8<S>; ROWS], high: [f32x8<S>; ROWS]) -> [f32x16<S>; ROWS] {
+    let mut columns = [low[0].combine(high[0]); ROWS];
+    for row in 1..ROWS {
+        columns[row] = low[row].combine(high[row]);
+    }
+    columns
+}
+
 /// Loads up to eight rays, and `first` for those that are missing.
 #[inline(always)]
-pub(super) fn load_up_to_eight<S: Simd>(
-    simd: S,
-    rays: &[Ray],
-    first: &Ray,
-) -> ([f32x8<S>; ROWS], SignBits) {
+pub(super) fn load_up_to_eight<S: Simd>(simd: S, rays: &[Ray], first: &Ray) -> [f32x8<S>; ROWS] {
     if let Some([a, b, c, d, e, f, g, h]) = rays.first_chunk::<WIDTH>() {
         return load_eight(simd, [a, b, c, d, e, f, g, h]);
     }

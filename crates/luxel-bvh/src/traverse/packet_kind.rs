@@ -2,7 +2,7 @@
 
 use crate::ray::{Ray, USUAL_LENGTHS};
 use crate::tree::{WIDTH, transpose};
-use luxel_math::{Simd, f32x4, f32x8, i32x8, prelude::*, u32x8};
+use luxel_math::{Simd, f32x4, f32x8, f32x16, i32x16, prelude::*, u32x8};
 
 /// Values of a ray: origin, direction, range.
 pub(crate) const ROWS: usize = 8;
@@ -30,13 +30,42 @@ impl PacketKind {
     }
 }
 
-/// A bit for each of eight rays: whether its length is usual, the signs of its direction, and its
+/// A bit for each of sixteen rays: whether its length is usual, the signs of its direction, and its
 /// longest axis.
 #[derive(Clone, Copy)]
 pub(crate) struct SignBits {
     usual: u32,
     reversed: [u32; 3],
     longest: [u32; 2],
+}
+
+impl SignBits {
+    /// Of rays in columns.
+    #[inline(always)]
+    pub(crate) fn of<S: Simd>(
+        [ox, oy, oz, dx, dy, dz, nearest, farthest]: [f32x16<S>; ROWS],
+    ) -> Self {
+        let (x, y, z) = (SimdBase::abs(dx), SimdBase::abs(dy), SimdBase::abs(dz));
+        let bounded = SimdBase::abs(ox).simd_lt(f32::INFINITY)
+            & SimdBase::abs(oy).simd_lt(f32::INFINITY)
+            & SimdBase::abs(oz).simd_lt(f32::INFINITY);
+        let (least, most) = (USUAL_LENGTHS.start, USUAL_LENGTHS.end);
+        let short = x.simd_lt(most) & y.simd_lt(most) & z.simd_lt(most);
+        let long = x.simd_ge(least) | y.simd_ge(least) | z.simd_ge(least);
+        let ranges = nearest.simd_ge(0.0) & farthest.simd_ge(nearest);
+        let is_x = x.simd_gt(y) & x.simd_gt(z);
+        Self {
+            usual: (bounded & short & long & ranges).to_bitmask() as u32,
+            reversed: [signs(dx), signs(dy), signs(dz)],
+            longest: [is_x.to_bitmask() as u32, (!is_x & y.simd_gt(z)).to_bitmask() as u32],
+        }
+    }
+}
+
+/// A bit for each negative value.
+#[inline(always)]
+fn signs<S: Simd>(values: f32x16<S>) -> u32 {
+    values.bitcast::<i32x16<S>>().simd_lt(0).to_bitmask() as u32
 }
 
 /// What all rays added so far share.
@@ -58,7 +87,7 @@ impl SharedSigns {
         for (at, bits) in
             (0..).zip([usual, reversed[0], reversed[1], reversed[2], longest[0], longest[1]])
         {
-            if bits != u32::from(u8::MAX) {
+            if bits != u32::from(u16::MAX) {
                 self.all &= !(1 << at);
             }
             if bits != 0 {
@@ -84,27 +113,13 @@ impl SharedSigns {
 pub(crate) fn load_eight<S: Simd>(
     simd: S,
     [a, b, c, d, e, f, g, h]: [&Ray; WIDTH],
-) -> ([f32x8<S>; ROWS], SignBits) {
+) -> [f32x8<S>; ROWS] {
     let ([oxl, oyl, ozl, dxl], [dyl, dzl, nl, fl]) = load_four(simd, [a, b, c, d]);
     let ([oxh, oyh, ozh, dxh], [dyh, dzh, nh, fh]) = load_four(simd, [e, f, g, h]);
     let (ox, oy, oz) = (oxl.combine(oxh), oyl.combine(oyh), ozl.combine(ozh));
     let (dx, dy, dz) = (dxl.combine(dxh), dyl.combine(dyh), dzl.combine(dzh));
     let (nearest, farthest) = (nl.combine(nh), fl.combine(fh));
-    let (x, y, z) = (SimdBase::abs(dx), SimdBase::abs(dy), SimdBase::abs(dz));
-    let bounded = SimdBase::abs(ox).simd_lt(f32::INFINITY)
-        & SimdBase::abs(oy).simd_lt(f32::INFINITY)
-        & SimdBase::abs(oz).simd_lt(f32::INFINITY);
-    let (least, most) = (USUAL_LENGTHS.start, USUAL_LENGTHS.end);
-    let short = x.simd_lt(most) & y.simd_lt(most) & z.simd_lt(most);
-    let long = x.simd_ge(least) | y.simd_ge(least) | z.simd_ge(least);
-    let ranges = nearest.simd_ge(0.0) & farthest.simd_ge(nearest);
-    let is_x = x.simd_gt(y) & x.simd_gt(z);
-    let signs = SignBits {
-        usual: (bounded & short & long & ranges).to_bitmask() as u32,
-        reversed: [signs(dx), signs(dy), signs(dz)],
-        longest: [is_x.to_bitmask() as u32, (!is_x & y.simd_gt(z)).to_bitmask() as u32],
-    };
-    ([ox, oy, oz, dx, dy, dz, nearest, farthest], signs)
+    [ox, oy, oz, dx, dy, dz, nearest, farthest]
 }
 
 /// The numbers of the kinds of up to eight rays by their directions, whether these are usual or not.
@@ -128,12 +143,6 @@ pub(crate) fn kinds_of<S: Simd>(simd: S, rays: &[Ray]) -> [u32; WIDTH] {
     let mut all = [0; WIDTH];
     kinds.store_slice(&mut all);
     all
-}
-
-/// A bit for each negative value.
-#[inline(always)]
-fn signs<S: Simd>(values: f32x8<S>) -> u32 {
-    values.bitcast::<i32x8<S>>().simd_lt(0).to_bitmask() as u32
 }
 
 /// Transposes four rays to rows.
