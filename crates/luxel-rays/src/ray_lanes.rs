@@ -4,7 +4,6 @@ use crate::object_tree::ObjectTree;
 use crate::surface_place::dot;
 use crate::world_ray::WorldRay;
 use glam::{DMat4, DVec3, DVec4};
-use luxel_bvh::Ray;
 use luxel_math::prelude::*;
 use luxel_math::{LANES, f32x16, i32x16, lanes_of};
 
@@ -67,8 +66,9 @@ impl RayLanes {
         self.lanes |= 1 << lane;
     }
 
-    /// The rays that begin inside of the sphere around a tree, in its coordinates, as a bit each: what
-    /// [`RebasedRay`](crate::RebasedRay) makes of them. Then those that begin outside and may reach the sphere.
+    /// The rays in the coordinates of a tree, as columns: what [`RebasedRay`](crate::RebasedRay) makes of those that
+    /// begin inside of the sphere around it, which are a bit each. Then those that begin outside and may reach the
+    /// sphere.
     ///
     /// No square root of glam's comes here: it is an instruction of SSE, which waits for hundreds of cycles
     /// amid those of AVX. Two of them were four fifths of this function's time.
@@ -78,8 +78,7 @@ impl RayLanes {
         simd: S,
         tree: &ObjectTree<'_>,
         (centre, radius): (DVec3, f64),
-        rays: &mut [Ray; LANES],
-    ) -> [u32; 2] {
+    ) -> ([f32x16<S>; 8], [u32; 2]) {
         let simd = f32x16::splat(simd, 0.0);
         let wide = simd.to_f64();
         let [x, y, z] = &self.origin;
@@ -134,15 +133,7 @@ impl RayLanes {
             simd,
             end,
         ];
-        Lanes::store_transposed(
-            columns,
-            #[inline(always)]
-            |lane, [ox, oy, oz, dx, dy, dz, start, end]| {
-                let (origin, direction) = ([ox, oy, oz], [dx, dy, dz]);
-                rays[lane % LANES] = Ray { origin, direction, range: [start, end] };
-            },
-        );
-        [!outside & self.lanes, outside & !passing]
+        (columns, [!outside & self.lanes, outside & !passing])
     }
 
     /// The direction that all lanes share, as those to a light far away do: in lanes, its root and its

@@ -5,7 +5,7 @@ use crate::ray_lanes::{RayLanes, Spread};
 use crate::scene_rays::SceneRays;
 use crate::world_ray::WorldRay;
 use glam::DVec3;
-use luxel_bvh::{Ray, RayHit};
+use luxel_bvh::{Ray, RayColumns, RayHit};
 use luxel_math::prelude::*;
 use luxel_math::{LANES, dispatch_long, f32x16, lanes_of};
 use std::cell::RefCell;
@@ -17,9 +17,13 @@ thread_local! {
 /// What [`SceneRays::transmittance_of_lanes`] keeps from call to call.
 #[derive(Default)]
 struct Batch {
-    /// The rays near one object, and their places among all.
-    near: Vec<Ray>,
+    /// The rays near one object, their places among all, and which of them are blocked.
+    columns: Vec<RayColumns>,
     numbers: Vec<u32>,
+    blocked: Vec<u32>,
+    /// The same one after the other, if they go all ways.
+    near: Vec<Ray>,
+    lanes: Vec<u32>,
     hits: Vec<bool>,
     /// The objects near rays that go all ways.
     objects: Vec<usize>,
@@ -124,28 +128,41 @@ impl SceneRays {
         object: usize,
         (rays, spread): (&[RayLanes], Spread),
         through: &mut [[f32; LANES]],
-        Batch { near, numbers, hits, .. }: &mut Batch,
+        Batch { columns, numbers, blocked, near, lanes, hits, .. }: &mut Batch,
     ) {
-        near.clear();
-        numbers.clear();
         let tree = self.tree(object);
         let Some(sphere) = self.sphere(object) else { return };
-        dispatch_long!(self.level, simd => near_rays(simd, self, (object, &tree, sphere), (rays, through), (near, numbers)));
-        if self.is_opaque(object) {
+        columns.clear();
+        numbers.clear();
+        dispatch_long!(self.level, simd => near_columns(simd, self, (object, &tree, sphere), (rays, through), (columns, numbers)));
+        let is_opaque = self.is_opaque(object);
+        if is_opaque && spread == Spread::Wide {
+            near.clear();
+            lanes.clear();
+            dispatch_long!(self.level, simd => rows_of(simd, (columns, numbers), (near, lanes)));
             hits.resize(near.len(), false);
-            match spread {
-                Spread::Narrow => self.rays(object).any_of_few(near, hits),
-                Spread::Wide => self.rays(object).any_of_incoherent(near, hits),
-            }
-            for (&number, is_hit) in numbers.iter().zip(&*hits) {
+            self.rays(object).any_of_incoherent(near, hits);
+            for (&lane, is_hit) in lanes.iter().zip(&*hits) {
                 if *is_hit {
-                    through[number as usize / LANES][number as usize % LANES] = 0.0;
+                    through[lane as usize / LANES][lane as usize % LANES] = 0.0;
+                }
+            }
+            return;
+        }
+        if is_opaque {
+            blocked.resize(columns.len(), 0);
+            self.rays(object).any_of_columns(columns, blocked);
+            for (&number, blocked) in numbers.iter().zip(&*blocked) {
+                for lane in lanes_of(*blocked) {
+                    through[number as usize][lane] = 0.0;
                 }
             }
         } else {
-            for &number in &*numbers {
-                let (number, lane) = (number as usize / LANES, number as usize % LANES);
-                through[number][lane] = self.transmittance(&rays[number].ray(lane));
+            for (&number, columns) in numbers.iter().zip(&*columns) {
+                for lane in lanes_of(columns.lanes) {
+                    through[number as usize][lane] =
+                        self.transmittance(&rays[number as usize].ray(lane));
+                }
             }
         }
     }
@@ -181,40 +198,92 @@ impl SceneRays {
     }
 }
 
-/// Collects the rays that light is left of and that come near an object, in the coordinates of its tree.
+/// Collects the rays that light is left of and that come near an object, as columns in the coordinates of its
+/// tree.
 #[inline(always)]
-fn near_rays<S: Simd>(
+fn near_columns<S: Simd>(
     simd: S,
     scene: &SceneRays,
     (object, tree, sphere): (usize, &ObjectTree<'_>, (DVec3, f64)),
     (rays, through): (&[RayLanes], &[[f32; LANES]]),
-    (near, numbers): (&mut Vec<Ray>, &mut Vec<u32>),
+    (near, numbers): (&mut Vec<RayColumns>, &mut Vec<u32>),
 ) {
-    for (first, (rays, through)) in (0..).step_by(LANES).zip(rays.iter().zip(through)) {
+    for (number, (rays, through)) in (0..).zip(rays.iter().zip(through)) {
         let lit = f32x16::splat(simd, 0.0).less(f32x16::simd_from(simd, *through)).bits();
         let left = rays.lanes & lit;
         if left == 0 {
             continue;
         }
+        near.push(RayColumns::NONE);
+        let Some(columns) = near.last_mut() else { return };
+        let ([ox, oy, oz, dx, dy, dz, start, end], lanes) = rays.rebased(simd, tree, sphere);
+        let [inside, outside] = lanes.map(|lanes| lanes & left);
+        let [origin_x, origin_y, origin_z] = &mut columns.origin;
+        let [along_x, along_y, along_z] = &mut columns.direction;
+        let [nearest, farthest] = &mut columns.range;
+        ox.store_slice(origin_x);
+        oy.store_slice(origin_y);
+        oz.store_slice(origin_z);
+        dx.store_slice(along_x);
+        dy.store_slice(along_y);
+        dz.store_slice(along_z);
+        start.store_slice(nearest);
+        end.store_slice(farthest);
+        columns.lanes = inside;
+        for lane in lanes_of(outside) {
+            if let Some(far) = scene.rebased_ray(&rays.ray(lane), object) {
+                columns.put(lane, &far.ray);
+            }
+        }
+        match columns.lanes {
+            0 => _ = near.pop(),
+            _ => numbers.push(number),
+        }
+    }
+}
+
+/// Rays in columns one after the other, and the place of each among all.
+#[inline(always)]
+fn rows_of<S: Simd>(
+    simd: S,
+    (columns, numbers): (&[RayColumns], &[u32]),
+    (near, places): (&mut Vec<Ray>, &mut Vec<u32>),
+) {
+    let simd = f32x16::splat(simd, 0.0);
+    for (columns, &number) in columns.iter().zip(numbers) {
         // Written to where they stay: a copy would wait for the rays that are still being stored.
-        let mut count = near.len();
-        near.resize(count + LANES, Ray::new([0.0; 3], [0.0; 3]));
-        let Some(rebased) = near.last_chunk_mut() else { return };
-        let [inside, outside] = rays.rebased(simd, tree, sphere, rebased).map(|lanes| lanes & left);
-        if inside == (1 << LANES) - 1 {
-            numbers.extend(first..first + LANES as u32);
+        let begin = near.len();
+        near.resize(begin + LANES, Ray::new([0.0; 3], [0.0; 3]));
+        let Some(rows): Option<&mut [Ray; LANES]> = near.last_chunk_mut() else { return };
+        let RayColumns { origin: [ox, oy, oz], direction: [dx, dy, dz], range, lanes } = columns;
+        let [start, end] = range;
+        let values = [
+            simd.load(ox, 0),
+            simd.load(oy, 0),
+            simd.load(oz, 0),
+            simd.load(dx, 0),
+            simd.load(dy, 0),
+            simd.load(dz, 0),
+            simd.load(start, 0),
+            simd.load(end, 0),
+        ];
+        Lanes::store_transposed(
+            values,
+            #[inline(always)]
+            |lane, [ox, oy, oz, dx, dy, dz, start, end]| {
+                let (origin, direction) = ([ox, oy, oz], [dx, dy, dz]);
+                rows[lane % LANES] = Ray { origin, direction, range: [start, end] };
+            },
+        );
+        let first = number * LANES as u32;
+        if *lanes == simd.all_lanes() {
+            places.extend(first..first + LANES as u32);
             continue;
         }
-        let begin = count;
-        for lane in lanes_of(inside | outside) {
-            near[count] = match inside >> lane & 1 {
-                1 => near[begin + lane],
-                _ => match scene.rebased_ray(&rays.ray(lane), object) {
-                    Some(far) => far.ray,
-                    None => continue,
-                },
-            };
-            numbers.push(first + lane as u32);
+        let mut count = begin;
+        for lane in lanes_of(*lanes) {
+            near[count] = near[begin + lane];
+            places.push(first + lane as u32);
             count += 1;
         }
         near.truncate(count);

@@ -1,6 +1,6 @@
 //! The ground under a model: nothing of it is seen but the light that the model keeps from it.
 
-use crate::shadow::{Floor, OcclusionLanes, Shadows};
+use crate::shadow::{Floor, OcclusionLanes, Receivers, Shadows};
 use glam::{DMat3, DVec3};
 use luxel_lighting::{
     Coefficients, Fog, LightingEnvironment, Material, Occlusion, PictureEncoding, Reflection,
@@ -120,11 +120,20 @@ impl<'a> Ground<'a> {
         let DVec3 { x, y, z } = floor.up * (LIFT * self.bounds.radius());
         let lift = [wide.constant(x), wide.constant(y), wide.constant(z)];
         let places = PlaceLanes { position: position_lanes, normal, lift };
-        let flat = |_, _: &SurfacePlace| DVec3::ZERO;
-        let (seen, lanes) = ((&point, point.normal), [rows.lanes, rows.near]);
-        shadows.occlude_places(&places, seen, lanes, (position, &flat), found);
+        let receivers = Receivers {
+            places,
+            point: &point,
+            smooth: point.normal,
+            is_mapped: false,
+            placed: rows.lanes,
+            near: rows.near,
+            position,
+            curved: None,
+        };
+        shadows.ask_places(&receivers, (0, 1), found);
+        shadows.answer(simd, 1, found);
         let unoccluded = self.light(&point, Occlusion::NONE, &mut Silent);
-        let light = self.light(&point, found.occlusion(), witness);
+        let light = self.light(&point, found.occlusion(0), witness);
         let (all, arriving) = (luminance(unoccluded), luminance(light));
         let is_lit = simd.zero().less(all);
         let kept = (simd.one() - arriving / all.select(is_lit, simd.one())).clamped(0.0, 1.0);

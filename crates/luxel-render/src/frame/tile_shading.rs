@@ -5,9 +5,10 @@ use crate::context::ShadingContext;
 use crate::interpolate::{SHARED, nearest_sample};
 use crate::resolve::{
     DistinctTriangles, Finish, LaneCompaction, Layered, empty_block, empty_pixel, even_block,
-    single_triangle, uneven_block,
+    even_blocks, single_triangle, uneven_block,
 };
 use crate::shade::ThreadCache;
+use crate::shadow::BATCHES;
 use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
 use luxel_visibility::{BLOCK, BLOCKS, MAX_SAMPLES, Samples, TILE, Tile, TriangleId};
 
@@ -185,6 +186,7 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
     let background = [finish.pixel(empty_pixel(scene)); LANES];
     let within = nearest_sample(scene.frame.samples());
     let is_flat = scene.backdrop.is_none();
+    let has_pairs = scene.shadows.is_some() && !has_layers;
     for first in (0..ALL_BLOCKS).step_by(AHEAD) {
         let ahead = look_ahead(simd, scene, opaque, first, cache);
         if is_flat && !has_layers && ahead.are_empty() {
@@ -192,29 +194,49 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
             pixels[first * LANES..(first + AHEAD) * LANES].fill(background[0]);
             continue;
         }
-        for number in 0..AHEAD {
-            let block = first + number;
-            let is_layered = has_layers && layered.is_touched(block);
-            let is_empty = ahead.is_empty(number);
-            if is_flat && is_empty && !is_layered {
-                put_block(pixels, block, &background);
-                continue;
-            }
-            let mut color = if is_empty && is_flat {
-                empty_block(simd, scene)
+        let mut waiting = None;
+        for number in 0..=AHEAD {
+            let mut blocks = [(first + number, false); BATCHES];
+            let (mut is_lit, mut count) = (true, 1);
+            if number == AHEAD {
+                // The last one that waited.
+                let Some(of) = waiting.take() else { break };
+                blocks[0] = of;
             } else {
+                let block = first + number;
+                let is_empty = is_flat && ahead.is_empty(number);
+                if is_empty && !(has_layers && layered.is_touched(block)) {
+                    put_block(pixels, block, &background);
+                    continue;
+                }
                 let distinct = &ahead.distinct[number];
-                if !distinct.are_even() || !is_flat && !sees_all(simd, opaque, block) {
+                let is_even = distinct.are_even() && (is_flat || sees_all(simd, opaque, block));
+                if !is_empty && !is_even {
                     compaction.add(simd, scene, opaque, block, distinct, cache);
                     continue;
                 }
-                let is_single = ahead.is_single(number);
-                even_block(simd, scene, opaque, (block, is_single), within, cache)
-            };
-            if is_layered {
-                color = layered.finish_block(simd, scene, opaque, block, cache, color);
+                is_lit = !is_empty;
+                blocks[0].1 = ahead.is_single(number);
+                if is_lit && has_pairs {
+                    let Some(before) = waiting.take() else {
+                        waiting = Some(blocks[0]);
+                        continue;
+                    };
+                    (blocks, count) = ([before, blocks[0]], BATCHES);
+                }
             }
-            put_block(pixels, block, &finish.block(simd, color));
+            let mut colors = [empty_block(simd, scene); BATCHES];
+            if count == BATCHES {
+                colors = even_blocks(simd, scene, opaque, blocks, within, cache);
+            } else if is_lit {
+                colors[0] = even_block(simd, scene, opaque, blocks[0], within, cache);
+            }
+            for ((block, _), mut color) in blocks.into_iter().zip(colors).take(count) {
+                if has_layers && layered.is_touched(block) {
+                    color = layered.finish_block(simd, scene, opaque, block, cache, color);
+                }
+                put_block(pixels, block, &finish.block(simd, color));
+            }
         }
         compaction.finish(
             simd,

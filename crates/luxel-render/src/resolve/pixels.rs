@@ -4,7 +4,8 @@
 use super::lane_compaction::Lit;
 use crate::context::ShadingContext;
 use crate::interpolate::Batch;
-use crate::shade::{ThreadCache, shade};
+use crate::shade::{ThreadCache, shade, shade_together};
+use crate::shadow::BATCHES;
 use luxel_lighting::Silent;
 use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
 use luxel_visibility::{Tile, TriangleId};
@@ -47,13 +48,34 @@ pub(crate) fn even_block<S: Simd>(
     simd: S,
     scene: &ShadingContext<'_>,
     tile: &Tile,
-    (block, is_single): (usize, bool),
+    block: (usize, bool),
     within: [f32; 2],
     cache: &mut ThreadCache,
 ) -> [f32x16<S>; 4] {
-    let batch = Batch::even(tile, block, tile.planes()[0].ids[block], within, is_single);
+    let batch = even_batch(tile, block, within);
     let lit = shade(f32x16::splat(simd, 0.0), scene, &batch, cache, &mut Silent);
     even_pixels(simd, lit)
+}
+
+/// [`even_block`] for blocks whose rays are traced together.
+#[inline(always)]
+pub(crate) fn even_blocks<S: Simd>(
+    simd: S,
+    scene: &ShadingContext<'_>,
+    tile: &Tile,
+    [first, second]: [(usize, bool); BATCHES],
+    within: [f32; 2],
+    cache: &mut ThreadCache,
+) -> [[f32x16<S>; 4]; BATCHES] {
+    let batches = [even_batch(tile, first, within), even_batch(tile, second, within)];
+    let [first, second] = shade_together(f32x16::splat(simd, 0.0), scene, &batches, cache);
+    [even_pixels(simd, first), even_pixels(simd, second)]
+}
+
+/// The samples of a block all samples of whose pixels see the same.
+#[inline(always)]
+fn even_batch(tile: &Tile, (block, is_single): (usize, bool), within: [f32; 2]) -> Batch {
+    Batch::even(tile, block, tile.planes()[0].ids[block], within, is_single)
 }
 
 /// Colours of a batch, with the backdrop's in the lanes that see nothing, if that isn't the same everywhere.

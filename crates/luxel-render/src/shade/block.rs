@@ -1,18 +1,18 @@
 //! Sixteen samples into light: the one way from what a batch sees to its colours.
 
 use crate::context::{LitAt, ShadingContext, needs};
-use crate::coverage::edge_distance;
 use crate::interpolate::{Batch, Fragments, Wanted};
-use crate::material::{Attributes, base_texel, lit, lit_elsewhere, shading_normal};
+use crate::material::{Attributes, lit, lit_elsewhere, shading_normal};
 use crate::setup::SetupCache;
 use crate::shade::display::displayed;
+use crate::shade::kept_points::KeptPoints;
 use crate::shade::lit_triangle::LitTriangles;
-use crate::shade::shadowed::VisibleLights;
+use crate::shade::studied::{draw_edges, is_studied, shadow, study};
 use crate::shade::witness::BlockWitness;
-use crate::shadow::{OcclusionLanes, SeenSamples};
-use luxel_lighting::{Occlusion, SurfacePoint};
-use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
-use luxel_view::{Interpolation, Shading, ShadingMode};
+use crate::shadow::{BATCHES, OcclusionLanes, SeenSamples};
+use luxel_lighting::{Occlusion, Silent, SurfacePoint};
+use luxel_math::{LANES, Lanes, lanes_of};
+use luxel_view::ShadingMode;
 use luxel_visibility::TriangleId;
 
 /// What a thread keeps from block to block.
@@ -20,8 +20,10 @@ pub(crate) struct ThreadCache {
     pub(crate) setup: SetupCache,
     /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
     pub(crate) lit: LitTriangles,
-    /// What keeps light from a batch's samples.
+    /// What keeps light from batches' samples.
     pub(crate) occlusion: OcclusionLanes,
+    /// What batches see, while their rays are traced.
+    points: [KeptPoints; BATCHES],
 }
 
 impl ThreadCache {
@@ -30,6 +32,7 @@ impl ThreadCache {
             setup: SetupCache::new(),
             lit: LitTriangles::new(),
             occlusion: OcclusionLanes::default(),
+            points: [KeptPoints::NONE; BATCHES],
         }
     }
 
@@ -58,10 +61,7 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
         || {
             // A token of its own: the one that the closure refers to is copied through memory.
             let simd = simd.zero();
-            let mut seen = simd.all_lanes();
-            if !batch.is_single {
-                seen &= !simd.eq_mask(&batch.ids, TriangleId::NONE.0);
-            }
+            let seen = seen_lanes(simd, batch);
             if seen == 0 {
                 return background(simd, scene);
             }
@@ -70,14 +70,70 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
                 || scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong
                 || !is_plain(simd, scene, batch, &mut cache.setup, seen)
             {
-                shade_outlined::<N, W, { needs::ALL }>(simd, scene, batch, cache, witness, seen)
+                shade_everything(simd, scene, batch, cache, witness, seen)
             } else if W::HEARS_FRAGMENTS || !scene.needs_normals_alone || scene.shadows.is_some() {
-                shade_outlined::<N, W, { needs::PLACES }>(simd, scene, batch, cache, witness, seen)
+                let mut colors = [[simd; 4]; BATCHES];
+                shade_places(simd, scene, &[(batch, seen)], cache, witness, &mut colors);
+                colors[0]
             } else {
-                shade_seen::<N, W, { needs::NORMALS }>(simd, scene, batch, cache, witness, seen)
+                let (setup, mut materials) = (&mut cache.setup, [0; LANES]);
+                let mut found = Fragments::nothing(simd);
+                let (material, point) = see::<N, W, { needs::NORMALS }>(
+                    simd,
+                    scene,
+                    (batch, seen),
+                    setup,
+                    &mut found,
+                    &mut materials,
+                );
+                witness.fragments(scene, &found, &materials, &point, seen);
+                let (of, occlusion) = ((material, seen), Occlusion::NONE);
+                light_up::<N, W, { needs::NORMALS }>(scene, &found, &point, of, occlusion, witness)
             }
         },
     )
+}
+
+/// [`shade`] for batches whose rays are traced together, if nobody listens.
+///
+/// Outlined: one copy per lane type.
+#[inline(never)]
+pub(crate) fn shade_together<N: Lanes>(
+    simd: N,
+    scene: &ShadingContext<'_>,
+    batches: &[Batch; BATCHES],
+    cache: &mut ThreadCache,
+) -> [[N; 4]; BATCHES] {
+    simd.vectorized(
+        #[inline(always)]
+        || {
+            let simd = simd.zero();
+            let [first, second] = batches;
+            let each = [(first, seen_lanes(simd, first)), (second, seen_lanes(simd, second))];
+            let mut colors = [[simd; 4]; BATCHES];
+            let is_together = N::IS_SPECIALIZED
+                && scene.shadows.is_some()
+                && scene.shading.mode == ShadingMode::Phong
+                && each.iter().all(|(batch, seen)| {
+                    *seen != 0 && is_plain(simd, scene, batch, &mut cache.setup, *seen)
+                });
+            if is_together {
+                shade_places(simd, scene, &each, cache, &mut Silent, &mut colors);
+            } else {
+                for (batch, color) in batches.iter().zip(&mut colors) {
+                    *color = shade(simd, scene, batch, cache, &mut Silent);
+                }
+            }
+            colors
+        },
+    )
+}
+
+/// The lanes of a batch that see something.
+#[inline(always)]
+fn seen_lanes<N: Lanes>(simd: N, batch: &Batch) -> u32 {
+    let all = simd.all_lanes();
+    if batch.is_single { all } else { all & !simd.eq_mask(&batch.ids, TriangleId::NONE.0) }
 }
 
 /// Whether a batch is of one material, and reads no attributes beside positions, normals and light.
@@ -106,8 +162,9 @@ fn is_plain<N: Lanes>(
     })
 }
 
+/// Batches that read any attribute, and those of several materials.
 #[inline(never)]
-fn shade_outlined<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
+fn shade_everything<N: Lanes, W: BlockWitness<N>>(
     simd: N,
     scene: &ShadingContext<'_>,
     batch: &Batch,
@@ -117,51 +174,125 @@ fn shade_outlined<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
 ) -> [N; 4] {
     simd.vectorized(
         #[inline(always)]
-        || shade_seen::<N, W, NEEDS>(simd, scene, batch, cache, witness, seen),
+        || {
+            let simd = simd.zero();
+            let mut materials = [0; LANES];
+            let mut found = Fragments::nothing(simd);
+            all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
+            let point = point_of(simd, scene, batch, &found);
+            witness.fragments(scene, &found, &materials, &point, seen);
+            let mut result = background(simd, scene);
+            let mut left = seen;
+            while left != 0 {
+                let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
+                let lanes = left & simd.eq_mask(&materials, number);
+                let own = &mut cache.occlusion;
+                let of = (number, lanes);
+                let color = light_of_material(scene, (batch, &found), &point, of, own, witness);
+                if lanes == simd.all_lanes() {
+                    result = color;
+                    break;
+                }
+                result = color_where(simd, lanes, color, result);
+                left &= !lanes;
+            }
+            // Surfaces alone: neither the background nor what is drawn over them.
+            if let Some(display) = &scene.display {
+                // A copy, because the call needs its arguments in memory, and only here.
+                let copy = result;
+                result = color_where(simd, seen, displayed(display, &copy), result);
+            }
+            if scene.edges.is_some() {
+                return draw_edges(scene, batch, seen, result);
+            }
+            result
+        },
     )
 }
 
-#[inline(always)]
-fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
+/// Batches of one material each that need places: what lights are asked for is known of all before any ray is
+/// traced.
+#[inline(never)]
+fn shade_places<N: Lanes, W: BlockWitness<N>>(
     simd: N,
     scene: &ShadingContext<'_>,
-    batch: &Batch,
+    batches: &[(&Batch, u32)],
     cache: &mut ThreadCache,
     witness: &mut W,
-    seen: u32,
-) -> [N; 4] {
-    let mut materials = [0; LANES];
-    let mut found = Fragments::nothing(simd);
-    if NEEDS == needs::ALL {
-        all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
-        let point = point_of(simd, scene, batch, &found);
-        witness.fragments(scene, &found, &materials, &point, seen);
-        let mut result = background(simd, scene);
-        let mut left = seen;
-        while left != 0 {
-            let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
-            let lanes = left & simd.eq_mask(&materials, number);
-            let occluded = (batch, &mut cache.occlusion);
-            let of = (number, lanes);
-            let color = light::<N, W, NEEDS>(scene, &found, &point, of, Some(occluded), witness);
-            if lanes == simd.all_lanes() {
-                result = color;
-                break;
+    colors: &mut [[N; 4]; BATCHES],
+) {
+    simd.vectorized(
+        #[inline(always)]
+        || {
+            let simd = simd.zero();
+            let count = batches.len().min(BATCHES);
+            let shadows = scene.shadows.filter(|_| scene.shading.mode == ShadingMode::Phong);
+            let mut found = Fragments::nothing(simd);
+            let (mut material, mut point) = (0, point_of(simd, scene, batches[0].0, &found));
+            for (number, &(batch, seen)) in batches.iter().take(count).enumerate() {
+                if number > 0 {
+                    cache.points[number - 1].keep(material, &point);
+                }
+                let mut materials = [0; LANES];
+                let setup = &mut cache.setup;
+                (material, point) = see::<N, W, { needs::PLACES }>(
+                    simd,
+                    scene,
+                    (batch, seen),
+                    setup,
+                    &mut found,
+                    &mut materials,
+                );
+                witness.fragments(scene, &found, &materials, &point, seen);
+                if let Some(shadows) = shadows {
+                    let samples = SeenSamples {
+                        ids: &batch.ids,
+                        lanes: seen,
+                        position: &position_in(batch),
+                        barycentric: &found.weights,
+                        point: &point,
+                        smooth: point.normal,
+                        is_mapped: false,
+                    };
+                    shadows.ask(&samples, (number, count), &mut cache.occlusion);
+                }
             }
-            result = color_where(simd, lanes, color, result);
-            left &= !lanes;
-        }
-        // Surfaces alone: neither the background nor what is drawn over them.
-        if let Some(display) = &scene.display {
-            // A copy, because the call needs its arguments in memory, and only here.
-            let copy = result;
-            result = color_where(simd, seen, displayed(display, &copy), result);
-        }
-        if scene.edges.is_some() {
-            return draw_edges(scene, batch, seen, result);
-        }
-        return result;
-    }
+            if let Some(shadows) = shadows {
+                shadows.answer(simd, count, &mut cache.occlusion);
+            }
+            // The last first: it is at hand.
+            for number in (0..count).rev() {
+                if number + 1 < count {
+                    (material, point) = cache.points[number].of(simd);
+                }
+                let occlusion = match shadows {
+                    Some(_) => cache.occlusion.occlusion(number),
+                    None => Occlusion::NONE,
+                };
+                let of = (material, batches[number].1);
+                colors[number] = light_up::<N, W, { needs::PLACES }>(
+                    scene, &found, &point, of, occlusion, witness,
+                );
+            }
+        },
+    );
+}
+
+/// Where a batch's samples are in the window.
+fn position_in(batch: &Batch) -> impl Fn(usize) -> [f64; 2] {
+    |lane| batch.position(lane)
+}
+
+/// What a batch of one material sees: the material, and the surface points.
+#[inline(always)]
+fn see<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
+    simd: N,
+    scene: &ShadingContext<'_>,
+    (batch, seen): (&Batch, u32),
+    setup: &mut SetupCache,
+    found: &mut Fragments<N>,
+    materials: &mut [u32; LANES],
+) -> (u32, SurfacePoint<N>) {
     let wanted = Wanted {
         position: NEEDS != needs::NORMALS && scene.needs_positions,
         normal: NEEDS == needs::NORMALS
@@ -169,15 +300,30 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
             || W::HEARS_FRAGMENTS,
         light: NEEDS != needs::NORMALS && scene.shading.mode == ShadingMode::Gouraud,
     };
-    cache.setup.begin_tile(batch.tile);
-    let setup = &mut cache.setup;
-    let material =
-        found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), &mut materials);
-    let point = point_of(simd, scene, batch, &found);
-    witness.fragments(scene, &found, &materials, &point, seen);
-    let occluded = (NEEDS == needs::PLACES).then_some((batch, &mut cache.occlusion));
-    let of = (material, seen);
-    let mut color = light::<N, W, NEEDS>(scene, &found, &point, of, occluded, witness);
+    setup.begin_tile(batch.tile);
+    let material = found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), materials);
+    (material, point_of(simd, scene, batch, found))
+}
+
+/// The colour of a batch of one material.
+#[inline(always)]
+fn light_up<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
+    scene: &ShadingContext<'_>,
+    found: &Fragments<N>,
+    point: &SurfacePoint<N>,
+    (material, seen): (u32, u32),
+    occlusion: Occlusion<'_>,
+    witness: &mut W,
+) -> [N; 4] {
+    let simd = point.depth.zero();
+    let attributes = &found.attributes;
+    let of = (material as usize, seen);
+    witness.lanes(seen);
+    let mut color = if NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong {
+        lit::<N, W, NEEDS>(scene, attributes, point, of, occlusion, witness)
+    } else {
+        lit_elsewhere::<N, W, NEEDS>(scene, attributes, point, of.0, seen, witness)
+    };
     if let Some(display) = &scene.display {
         let copy = color;
         color = displayed(display, &copy);
@@ -188,38 +334,39 @@ fn shade_seen<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     color_where(simd, seen, color, background(simd, scene))
 }
 
-/// The light of the lanes that see one material.
+/// The light of the lanes that see one material, of a batch that reads any attribute.
 #[inline(always)]
-fn light<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
+fn light_of_material<N: Lanes, W: BlockWitness<N>>(
     scene: &ShadingContext<'_>,
-    found: &Fragments<N>,
+    (batch, found): (&Batch, &Fragments<N>),
     point: &SurfacePoint<N>,
     (material, lanes): (u32, u32),
-    occluded: Option<(&Batch, &mut OcclusionLanes)>,
+    own: &mut OcclusionLanes,
     witness: &mut W,
 ) -> [N; 4] {
     let number = material as usize;
     witness.lanes(lanes);
     let attributes = &found.attributes;
-    let at_pixels = NEEDS == needs::NORMALS
-        || scene.shading.mode == ShadingMode::Phong
-        || NEEDS == needs::ALL && scene.lit_at(number) == LitAt::Pixels;
-    if at_pixels {
-        let smooth = point.normal;
-        let normal = shading_normal(scene, attributes, smooth, number, lanes);
-        let point = SurfacePoint { normal, ..*point };
-        let mut occlusion = Occlusion::NONE;
-        if let (Some(shadows), Some((batch, own))) = (scene.shadows, occluded) {
-            let samples =
-                SeenSamples { ids: &batch.ids, lanes, position: &|lane| batch.position(lane) };
-            shadows.occlude(&samples, &found.weights, (&point, smooth), own);
-            occlusion = own.occlusion();
-        }
-        let of = (number, lanes);
-        lit::<N, W, NEEDS>(scene, attributes, &point, of, occlusion, witness)
-    } else {
-        lit_elsewhere::<N, W, NEEDS>(scene, attributes, point, number, lanes, witness)
+    if scene.shading.mode != ShadingMode::Phong && scene.lit_at(number) != LitAt::Pixels {
+        return lit_elsewhere::<N, W, { needs::ALL }>(
+            scene, attributes, point, number, lanes, witness,
+        );
     }
+    let smooth = point.normal;
+    let normal = shading_normal(scene, attributes, smooth, number, lanes);
+    let point = &SurfacePoint { normal, ..*point };
+    let mut occlusion = Occlusion::NONE;
+    if let Some(shadows) = scene.shadows {
+        let position = &position_in(batch);
+        let (ids, barycentric) = (&batch.ids, &found.weights);
+        let is_mapped = true;
+        let samples = SeenSamples { ids, lanes, position, barycentric, point, smooth, is_mapped };
+        shadows.ask(&samples, (0, 1), own);
+        shadows.answer(point.depth, 1, own);
+        occlusion = own.occlusion(0);
+    }
+    let of = (number, lanes);
+    lit::<N, W, { needs::ALL }>(scene, attributes, point, of, occlusion, witness)
 }
 
 /// The background in all lanes.
@@ -321,109 +468,4 @@ pub(crate) fn geometry_of<N: Lanes>(
             found.interpolate::<{ needs::PLACES }>(simd, scene, batch, setup, wanted, materials);
         },
     );
-}
-
-/// Whether light is computed elsewhere than at pixels and corners, or attributes are interpolated in the
-/// window.
-#[inline(always)]
-pub(crate) fn is_studied(shading: &Shading) -> bool {
-    matches!(shading.mode, ShadingMode::Flat | ShadingMode::Subdivided { .. })
-        || shading.interpolation != Interpolation::Perspective
-}
-
-/// Interpolation in the window, and light of whole polygons and of pieces: sample by sample.
-#[cold]
-#[inline(never)]
-fn study<N: Lanes>(
-    scene: &ShadingContext<'_>,
-    batch: &Batch,
-    cache: &mut ThreadCache,
-    seen: u32,
-    found: &mut Fragments<N>,
-) {
-    for lane in lanes_of(seen) {
-        let Some(triangle) = cache.lit.get(scene, TriangleId(batch.ids[lane])) else { continue };
-        let weights = found.weights.map(|weight| weight.lane(lane));
-        if scene.shading.interpolation != Interpolation::Perspective {
-            found.attributes.put_lane(lane, &triangle.in_window(batch.position(lane), weights));
-        }
-        let number = triangle.material as usize;
-        let texel = || match scene.lit_at(number) {
-            LitAt::PiecesUnderTexels => {
-                base_texel(scene, &found.attributes, number, 1 << lane).lane(lane)
-            }
-            LitAt::Pixels | LitAt::Elsewhere => [1.0; 3],
-        };
-        if let Some(light) = triangle.own_light(weights, texel) {
-            found.attributes.put_light(lane, light);
-        }
-    }
-}
-
-/// Shadows on light that was computed elsewhere: sample by sample.
-#[cold]
-#[inline(never)]
-fn shadow<N: Lanes>(
-    scene: &ShadingContext<'_>,
-    batch: &Batch,
-    cache: &mut ThreadCache,
-    seen: u32,
-    found: &mut Fragments<N>,
-) {
-    for lane in lanes_of(seen) {
-        let id = TriangleId(batch.ids[lane]);
-        let Some(triangle) = cache.lit.get(scene, id) else { continue };
-        let number = triangle.material as usize;
-        if scene.lit_at(number) == LitAt::Pixels {
-            continue;
-        }
-        let weights = found.weights.map(|weight| weight.lane(lane));
-        let places = triangle.lit_at(weights, batch.position(lane));
-        let texel = base_texel(scene, &found.attributes, number, 1 << lane).lane(lane);
-        let position = batch.position(lane);
-        let visible = VisibleLights::of(scene, id, (weights, position), &places);
-        let light = visible.and_then(|visible| visible.light(scene, triangle, &places, texel));
-        if let Some(light) = light {
-            found.attributes.put_light(lane, light);
-        }
-    }
-}
-
-/// Draws edges of polygons over their faces: an edge covers the pixels within half its width, and fades
-/// over one pixel more.
-#[cold]
-#[inline(never)]
-fn draw_edges<N: Lanes>(
-    scene: &ShadingContext<'_>,
-    batch: &Batch,
-    seen: u32,
-    mut colors: [N; 4],
-) -> [N; 4] {
-    let Some(edges) = scene.edges else { return colors };
-    let simd = colors[0];
-    simd.vectorized(
-        #[inline(always)]
-        || {
-            let [tile_x, tile_y] = batch.tile;
-            let (x, y) = (simd.load(&batch.x, 0).to_f64(), simd.load(&batch.y, 0).to_f64());
-            let (x, y) = (x + x.constant(tile_x.into()), y + y.constant(tile_y.into()));
-            let mut left = seen;
-            while left != 0 {
-                let id = batch.ids[left.trailing_zeros() as usize & (LANES - 1)];
-                let lanes = simd.eq_mask(&batch.ids, id) & left;
-                left &= !lanes;
-                let Some(of) = scene.frame.triangle(TriangleId(id)) else { continue };
-                let Some(flags) = scene.edge_flags[of.instance] else { continue };
-                let distance = edge_distance(&scene.frame.forms(of), flags.of(of.triangle), x, y);
-                let half = simd.constant(edges.width * 0.5 + 0.5);
-                let cover = (half - distance).clamped(0.0, 1.0);
-                let mask = simd.mask_of(lanes);
-                for (color, edge) in colors.iter_mut().zip(edges.color) {
-                    let over = *color + (simd.constant(edge) - *color) * cover;
-                    *color = over.select(mask, *color);
-                }
-            }
-            colors
-        },
-    )
 }

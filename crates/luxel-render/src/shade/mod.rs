@@ -4,15 +4,18 @@
 mod adaptive_subdivision;
 mod block;
 mod display;
+mod kept_points;
 mod lit_triangle;
 mod screen_interpolation;
 mod shadowed;
+mod studied;
 mod texel_light;
 mod witness;
 
 pub(crate) use adaptive_subdivision::encoded;
-pub(crate) use block::{ThreadCache, all_fragments, geometry_of, is_studied, point_of, shade};
+pub(crate) use block::{ThreadCache, all_fragments, geometry_of, point_of, shade, shade_together};
 pub(crate) use display::displayed;
 pub(crate) use lit_triangle::LitTriangle;
 pub(crate) use shadowed::VisibleLights;
+pub(crate) use studied::is_studied;
 pub(crate) use witness::BlockWitness;

@@ -39,6 +39,30 @@ impl PlaceCache {
         self.entries.iter_mut().for_each(|entry| entry.id = TriangleId::NONE.0);
     }
 
+    /// The places of a triangle, if it has any. `make` computes them as for [`Self::of_lanes`].
+    pub(super) fn of_one(
+        &mut self,
+        id: u32,
+        make: impl Fn(TriangleId, &mut TrianglePlaces) -> bool,
+    ) -> Option<&TrianglePlaces> {
+        self.make_room();
+        let entry = &mut self.entries[id as usize % KEPT];
+        if entry.id != id {
+            entry.id = id;
+            entry.is_placed = make(TriangleId(id), &mut entry.places);
+        }
+        entry.is_placed.then_some(&entry.places)
+    }
+
+    /// Makes room for the triangles that are kept, once.
+    #[inline(always)]
+    fn make_room(&mut self) {
+        if self.entries.is_empty() {
+            self.entries = vec![Entry::empty(); KEPT].into();
+            self.spare.resize(LANES, Entry::empty());
+        }
+    }
+
     /// The places of each lane's triangle, and the lanes whose triangle has any. `make` computes them where
     /// they are kept, which saves a copy, and returns whether there are any.
     #[inline(always)]
@@ -49,10 +73,7 @@ impl PlaceCache {
         lanes: u32,
         make: impl Fn(TriangleId, &mut TrianglePlaces) -> bool,
     ) -> ([&TrianglePlaces; LANES], u32) {
-        if self.entries.is_empty() {
-            self.entries = vec![Entry::empty(); KEPT].into();
-            self.spare.resize(LANES, Entry::empty());
-        }
+        self.make_room();
         let slot = |id: u32| id as usize % KEPT;
         let fill = |entry: &mut Entry, id: u32| {
             entry.id = id;

@@ -127,16 +127,18 @@ pub(super) fn dot<F: F64Lanes>([x, y, z]: [F; 3], [a, b, c]: [F; 3]) -> F {
 }
 
 impl<N: Lanes> ShadowLanes<N> {
-    /// From places with the shading normals N and the smooth ones N_s to the middle of a light.
+    /// From places with the shading normals N and the smooth ones N_s, which are the same unless there is a
+    /// normal map, to the middle of a light.
     #[inline(always)]
     pub(super) fn new(
         places: &PlaceLanes<N::F64>,
         source: &LightSource,
         [shading, smooth]: [[N; 3]; 2],
+        is_mapped: bool,
     ) -> Self {
         let origin = places.origin();
-        let wide = origin[0];
-        let [shading, smooth] = [wider(shading), wider(smooth)];
+        let (wide, one) = (origin[0], shading[0].one());
+        let smooth = wider(smooth);
         let (direction, end) = match source.place {
             None => {
                 let DVec3 { x, y, z } = source.towards;
@@ -153,7 +155,13 @@ impl<N: Lanes> ShadowLanes<N> {
             }
         };
         let lit = dot(smooth, direction);
-        let terminator = terminator([lit, dot(shading, direction), dot(smooth, shading)]);
+        // It is 1 wherever both normals are the same.
+        let terminator = if is_mapped {
+            let shading = wider(shading);
+            terminator([lit, dot(shading, direction), dot(smooth, shading)])
+        } else {
+            one
+        };
         let lit = lit.if_positive(lit, wide.constant(0.0));
         let faces = dot(places.normal, direction);
         let raised = (lit - (faces + faces)).is_positive().bits();
