@@ -147,8 +147,8 @@ impl<'m> MeshRays<'m> {
         trace_here::<AnyHit>(&self.0, rays, false, hits);
     }
 
-    /// [`Self::any_of_few`] for rays that lie side by side already: a bit for each lane that has a ray, whether
-    /// it hits anything. Up to four columns are traced together.
+    /// [`Self::any_of_few`] for rays in columns: sets a bit for each lane whose ray hits anything. Up to four
+    /// columns are traced as one packet.
     ///
     /// # Panics
     /// If `hits` isn't as long as `rays`.

@@ -33,8 +33,8 @@ fn columns(rays: &[Ray], random: &mut Random) -> Vec<RayColumns> {
     all
 }
 
-/// Compares rays that are asked for together, so many columns at a time, with each alone; returns how many hit
-/// something.
+/// Compares rays that are traced together, several columns at a time, with each ray traced alone; returns how
+/// many are blocked.
 fn compare(mesh: &Mesh, aimed: &[Ray], what: &str) -> usize {
     let bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Thorough).unwrap();
     let mut blocked = 0;

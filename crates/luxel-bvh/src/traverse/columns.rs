@@ -1,4 +1,4 @@
-//! Rays that lie side by side already: sixteen at a time, without the way through rows.
+//! Occlusion queries of rays that are stored in columns: packets without transposition.
 
 use super::any_packet::trace_any;
 use super::batch::trace_here;
@@ -16,7 +16,7 @@ use luxel_math::{
 /// The columns of a packet.
 const TOGETHER: usize = PACKET / LANES;
 
-/// Whether rays hit anything, a bit for each lane. Those that run close together go as packets.
+/// Whether rays hit anything, a bit for each lane. Coherent rays are traced in packets.
 ///
 /// `hits` must be as long as `rays`.
 pub(crate) fn any_of_columns(target: &RayTarget<'_>, rays: &[RayColumns], hits: &mut [u32]) {
@@ -32,7 +32,7 @@ pub(crate) fn any_of_columns(target: &RayTarget<'_>, rays: &[RayColumns], hits: 
     }
 }
 
-/// Traces rays of one kind as a packet; returns whether they are such.
+/// Traces rays as a packet; returns `false`, with no answer, if they are not of one kind.
 #[inline(always)]
 fn trace_columns<S: Simd>(
     simd: S,
@@ -81,7 +81,7 @@ fn trace_packet<S: Simd, N: Lanes>(
     true
 }
 
-/// Traces rays that have no packet in common, or are unusual.
+/// Traces rays of several kinds, and those of unusual lengths.
 #[cold]
 #[inline(never)]
 fn trace_as_rows(target: &RayTarget<'_>, rays: &[RayColumns], hits: &mut [u32]) {

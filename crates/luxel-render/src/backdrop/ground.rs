@@ -130,8 +130,8 @@ impl<'a> Ground<'a> {
             position,
             curved: None,
         };
-        shadows.ask_places(&receivers, (0, 1), found);
-        shadows.answer(simd, 1, found);
+        shadows.cast_from(&receivers, (0, 1), found);
+        shadows.trace_pending(simd, 1, found);
         let unoccluded = self.light(&point, Occlusion::NONE, &mut Silent);
         let light = self.light(&point, found.occlusion(0), witness);
         let (all, arriving) = (luminance(unoccluded), luminance(light));

@@ -20,9 +20,9 @@ pub(crate) struct ThreadCache {
     pub(crate) setup: SetupCache,
     /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
     pub(crate) lit: LitTriangles,
-    /// What keeps light from batches' samples.
+    /// Occlusion of batches' samples.
     pub(crate) occlusion: OcclusionLanes,
-    /// What batches see, while their rays are traced.
+    /// Surface points of batches, while shadow rays are traced.
     points: [KeptPoints; BATCHES],
 }
 
@@ -76,17 +76,15 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
                 shade_places(simd, scene, &[(batch, seen)], cache, witness, &mut colors);
                 colors[0]
             } else {
-                let (setup, mut materials) = (&mut cache.setup, [0; LANES]);
                 let mut found = Fragments::nothing(simd);
+                let setup = &mut cache.setup;
                 let (material, point) = see::<N, W, { needs::NORMALS }>(
-                    simd,
                     scene,
                     (batch, seen),
                     setup,
                     &mut found,
-                    &mut materials,
+                    witness,
                 );
-                witness.fragments(scene, &found, &materials, &point, seen);
                 let (of, occlusion) = ((material, seen), Occlusion::NONE);
                 light_up::<N, W, { needs::NORMALS }>(scene, &found, &point, of, occlusion, witness)
             }
@@ -94,7 +92,7 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
     )
 }
 
-/// [`shade`] for batches whose rays are traced together, if nobody listens.
+/// [`shade`] for batches whose shadow rays are traced together, without a witness.
 ///
 /// Outlined: one copy per lane type.
 #[inline(never)]
@@ -162,7 +160,7 @@ fn is_plain<N: Lanes>(
     })
 }
 
-/// Batches that read any attribute, and those of several materials.
+/// Shades batches that read any attribute, and those of several materials.
 #[inline(never)]
 fn shade_everything<N: Lanes, W: BlockWitness<N>>(
     simd: N,
@@ -210,7 +208,7 @@ fn shade_everything<N: Lanes, W: BlockWitness<N>>(
     )
 }
 
-/// Batches of one material each that need places: what lights are asked for is known of all before any ray is
+/// Shades batches of one material each that need places. The shadow rays of all batches are cast before any is
 /// traced.
 #[inline(never)]
 fn shade_places<N: Lanes, W: BlockWitness<N>>(
@@ -233,17 +231,14 @@ fn shade_places<N: Lanes, W: BlockWitness<N>>(
                 if number > 0 {
                     cache.points[number - 1].keep(material, &point);
                 }
-                let mut materials = [0; LANES];
                 let setup = &mut cache.setup;
                 (material, point) = see::<N, W, { needs::PLACES }>(
-                    simd,
                     scene,
                     (batch, seen),
                     setup,
                     &mut found,
-                    &mut materials,
+                    witness,
                 );
-                witness.fragments(scene, &found, &materials, &point, seen);
                 if let Some(shadows) = shadows {
                     let samples = SeenSamples {
                         ids: &batch.ids,
@@ -254,13 +249,13 @@ fn shade_places<N: Lanes, W: BlockWitness<N>>(
                         smooth: point.normal,
                         is_mapped: false,
                     };
-                    shadows.ask(&samples, (number, count), &mut cache.occlusion);
+                    shadows.cast(&samples, (number, count), &mut cache.occlusion);
                 }
             }
             if let Some(shadows) = shadows {
-                shadows.answer(simd, count, &mut cache.occlusion);
+                shadows.trace_pending(simd, count, &mut cache.occlusion);
             }
-            // The last first: it is at hand.
+            // The last first, whose points are in registers.
             for number in (0..count).rev() {
                 if number + 1 < count {
                     (material, point) = cache.points[number].of(simd);
@@ -283,16 +278,16 @@ fn position_in(batch: &Batch) -> impl Fn(usize) -> [f64; 2] {
     |lane| batch.position(lane)
 }
 
-/// What a batch of one material sees: the material, and the surface points.
+/// Interpolates a batch of one material: returns the material and the surface points.
 #[inline(always)]
 fn see<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
-    simd: N,
     scene: &ShadingContext<'_>,
     (batch, seen): (&Batch, u32),
     setup: &mut SetupCache,
     found: &mut Fragments<N>,
-    materials: &mut [u32; LANES],
+    witness: &mut W,
 ) -> (u32, SurfacePoint<N>) {
+    let (simd, mut materials) = (found.weights[0].zero(), [0; LANES]);
     let wanted = Wanted {
         position: NEEDS != needs::NORMALS && scene.needs_positions,
         normal: NEEDS == needs::NORMALS
@@ -301,8 +296,11 @@ fn see<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
         light: NEEDS != needs::NORMALS && scene.shading.mode == ShadingMode::Gouraud,
     };
     setup.begin_tile(batch.tile);
-    let material = found.interpolate::<NEEDS>(simd, scene, batch, setup, (seen, wanted), materials);
-    (material, point_of(simd, scene, batch, found))
+    let wanted = (seen, wanted);
+    let material = found.interpolate::<NEEDS>(simd, scene, batch, setup, wanted, &mut materials);
+    let point = point_of(simd, scene, batch, found);
+    witness.fragments(scene, found, &materials, &point, seen);
+    (material, point)
 }
 
 /// The colour of a batch of one material.
@@ -361,8 +359,8 @@ fn light_of_material<N: Lanes, W: BlockWitness<N>>(
         let (ids, barycentric) = (&batch.ids, &found.weights);
         let is_mapped = true;
         let samples = SeenSamples { ids, lanes, position, barycentric, point, smooth, is_mapped };
-        shadows.ask(&samples, (0, 1), own);
-        shadows.answer(point.depth, 1, own);
+        shadows.cast(&samples, (0, 1), own);
+        shadows.trace_pending(point.depth, 1, own);
         occlusion = own.occlusion(0);
     }
     let of = (number, lanes);

@@ -1,9 +1,9 @@
-//! Surface points that wait.
+//! Surface points in memory, while the shadow rays of other batches are traced, too.
 
 use luxel_lighting::SurfacePoint;
 use luxel_math::{LANES, Lanes, Vec3};
 
-/// The surface points of a batch, while its rays are traced.
+/// The material and the surface points of a batch.
 pub(super) struct KeptPoints {
     material: u32,
     rows: [[f32; LANES]; 10],

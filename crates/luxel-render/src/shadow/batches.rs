@@ -1,8 +1,8 @@
-//! V of each light and openness at the samples of batches: rays to a light without extent are traced for all of
-//! them together.
+//! V of each light and openness at the samples of batches. Shadow rays to a light without extent are traced for
+//! several batches at once.
 
 use super::occlusion::{
-    Asked, Asking, BATCHES, BatchOcclusion, OcclusionLanes, RayBatch, TOGETHER,
+    BATCHES, BatchOcclusion, LightLanes, OcclusionLanes, PendingRays, RayBatch, TOGETHER,
 };
 use super::sequence::Scramble;
 use super::shadow_ray::{LightSource, RayStart, ShadowLanes};
@@ -34,7 +34,6 @@ pub(crate) struct SeenSamples<'s, N> {
 type Curved<'s, N> = (&'s [u32; LANES], &'s [N; 3]);
 
 /// Places that light may reach, lane by lane.
-#[derive(Clone, Copy)]
 pub(crate) struct Receivers<'s, N: Lanes> {
     pub(crate) places: PlaceLanes<N::F64>,
     pub(crate) point: &'s SurfacePoint<N>,
@@ -69,28 +68,30 @@ impl<N: Lanes> Receivers<'_, N> {
 }
 
 impl Shadows<'_> {
-    /// Asks how much of the lights reaches lanes of samples, those of one of some batches; [`Self::answer`]
-    /// says it of all. V is 1 where N.L <= 0, without a ray, and of points and lines.
+    /// Casts the shadow rays and the rays of openness of batch `number` out of `count`. Shadow rays to lights
+    /// without extent stay pending until [`Self::trace_pending`]. V is 1, without a ray, where N.L <= 0 and on points
+    /// and lines.
     ///
     /// Outlined: one copy per lane type.
     #[inline(never)]
-    pub(crate) fn ask<N: Lanes>(
+    pub(crate) fn cast<N: Lanes>(
         &self,
         samples: &SeenSamples<'_, N>,
-        of: (usize, usize),
+        (number, count): (usize, usize),
         found: &mut OcclusionLanes,
     ) {
+        let of = (number, count);
         if !N::IS_SPECIALIZED {
             let make = |id, places: &mut TrianglePlaces| self.places_into(id, places);
             let mut places = [None; LANES];
-            for lane in lanes_of(self.asked(samples)) {
+            for lane in lanes_of(self.lanes_with_rays(samples)) {
                 let weights = samples.barycentric.map(|weight| weight.lane(lane));
                 let triangle = found.cache.of_one(samples.ids[lane], make);
                 places[lane] = triangle.map(|triangle| self.seen_side(triangle.at(weights)));
             }
             let seen = (samples.point, samples.smooth, [samples.lanes; 2]);
             let curved = Some((samples.ids, samples.barycentric));
-            self.ask_one_by_one(seen, &places, (samples.position, curved), of, found);
+            self.cast_one_by_one(seen, &places, (samples.position, curved), of, found);
             return;
         }
         let simd = samples.smooth.x;
@@ -99,30 +100,30 @@ impl Shadows<'_> {
             || {
                 let SeenSamples { ids, position, barycentric, point, smooth, is_mapped, .. } =
                     *samples;
-                let asked = self.asked(samples);
-                if asked == 0 {
-                    found.forget(of, self.sources.len());
+                let lanes = self.lanes_with_rays(samples);
+                if lanes == 0 {
+                    found.reset(of, self.sources.len());
                     return;
                 }
                 let make = |id, places: &mut TrianglePlaces| self.places_into(id, places);
                 let simd = simd.zero();
-                let (triangles, placed) = found.cache.of_lanes(simd, ids, asked, make);
+                let (triangles, placed) = found.cache.of_lanes(simd, ids, lanes, make);
                 let places = TrianglePlaces::at_lanes(&triangles, barycentric, placed);
                 let places = self.facing(&places);
                 let curved = Some((ids, barycentric));
                 let near = placed;
                 let receivers =
                     Receivers { places, point, smooth, is_mapped, placed, near, position, curved };
-                self.ask_places(&receivers, of, found);
+                self.cast_from(&receivers, of, found);
             },
         );
     }
 
-    /// [`Self::ask`] at places.
+    /// [`Self::cast`] at places.
     ///
     /// Outlined: one copy per lane type, for surfaces and the ground.
     #[inline(never)]
-    pub(crate) fn ask_places<N: Lanes>(
+    pub(crate) fn cast_from<N: Lanes>(
         &self,
         receivers: &Receivers<'_, N>,
         of: (usize, usize),
@@ -135,18 +136,18 @@ impl Shadows<'_> {
             receivers.places.each(all, |lane, place| places[lane] = Some(place));
             let seen = (receivers.point, receivers.smooth, lanes);
             let at = (receivers.position, receivers.curved);
-            self.ask_one_by_one(seen, &places, at, of, found);
+            self.cast_one_by_one(seen, &places, at, of, found);
             return;
         }
         receivers.smooth.x.vectorized(
             #[inline(always)]
-            || self.ask_lights(receivers, of, found),
+            || self.cast_to_lights(receivers, of, found),
         );
     }
 
-    /// The same without kernels, lane by lane: lights in the lanes of the first mask, openness in those of the
+    /// The same without vector kernels, lane by lane: V in the lanes of the first mask, openness in those of the
     /// second.
-    fn ask_one_by_one<N: Lanes>(
+    fn cast_one_by_one<N: Lanes>(
         &self,
         (point, smooth, [lights, near]): (&SurfacePoint<N>, Vec3<N>, [u32; 2]),
         places: &[Option<SurfacePlace>; LANES],
@@ -154,7 +155,7 @@ impl Shadows<'_> {
         (number, count): (usize, usize),
         found: &mut OcclusionLanes,
     ) {
-        found.forget((number, count), self.sources.len());
+        found.reset((number, count), self.sources.len());
         let BatchOcclusion { visibility, openness } = &mut found.of[number % BATCHES];
         if self.openness.is_some() {
             *openness = Some([1.0; LANES]);
@@ -189,16 +190,17 @@ impl Shadows<'_> {
         }
     }
 
-    /// Asks each light for one of some batches of places, and answers what needs no other batch.
+    /// Puts the rays to lights without extent among the pending ones; traces those to lights with an extent, and
+    /// those of openness.
     #[inline(always)]
-    fn ask_lights<N: Lanes>(
+    fn cast_to_lights<N: Lanes>(
         &self,
         receivers: &Receivers<'_, N>,
         (number, count): (usize, usize),
         found: &mut OcclusionLanes,
     ) {
-        found.forget((number, count), self.sources.len());
-        let OcclusionLanes { of, batch, asking, .. } = found;
+        found.reset((number, count), self.sources.len());
+        let OcclusionLanes { of, batch, pending, .. } = found;
         let BatchOcclusion { visibility, openness } = &mut of[number % BATCHES];
         for (light, source) in self.sources.iter().enumerate() {
             let lit = lit(&self.lights[light], receivers.point) & receivers.placed;
@@ -207,8 +209,9 @@ impl Shadows<'_> {
                 continue;
             }
             if source.is_point() {
-                asking.asked[at].lit = lit;
-                self.ask_light(receivers, source, &mut asking.rays[at], &mut asking.asked[at]);
+                let lanes = &mut pending.lights[at];
+                lanes.lit = lit;
+                self.rays_to_point(receivers, source, &mut pending.rays[at], lanes);
             } else {
                 let source = (source, light as u32);
                 self.soft(receivers, source, lit, batch, &mut visibility[light]);
@@ -224,36 +227,40 @@ impl Shadows<'_> {
         }
     }
 
-    /// Traces what was asked for `count` batches.
+    /// Traces the pending shadow rays of `count` batches, a light at a time, and stores V.
     #[inline(always)]
-    pub(crate) fn answer<N: Lanes>(&self, simd: N, count: usize, found: &mut OcclusionLanes) {
+    pub(crate) fn trace_pending<N: Lanes>(
+        &self,
+        simd: N,
+        count: usize,
+        found: &mut OcclusionLanes,
+    ) {
         if !N::IS_SPECIALIZED {
             return;
         }
-        let OcclusionLanes { of, asking: Asking { rays, asked, through }, .. } = found;
+        let OcclusionLanes { of, pending: PendingRays { rays, lights, through }, .. } = found;
         for light in 0..self.sources.len() {
             let all = light * count..(light + 1) * count;
-            let asked = &asked[all.clone()];
-            if asked.iter().all(|asked| asked.lit == 0) {
+            let lights = &lights[all.clone()];
+            if lights.iter().all(|lanes| lanes.lit == 0) {
                 continue;
             }
             let through = &mut through[..count.min(BATCHES)];
             self.rays.transmittance_of_lanes(&rays[all], Spread::Narrow, through);
-            for ((asked, through), of) in asked.iter().zip(through).zip(of.iter_mut()) {
-                if asked.lit != 0 {
-                    let through = simd.load(through, 0) * simd.load(&asked.terminator, 0);
-                    let reached = through.masked(simd.mask_of(asked.reached));
-                    let own = reached.select(simd.mask_of(asked.lit), simd.one());
+            for ((lanes, through), of) in lights.iter().zip(through).zip(of.iter_mut()) {
+                if lanes.lit != 0 {
+                    let through = simd.load(through, 0) * simd.load(&lanes.terminator, 0);
+                    let reached = through.masked(simd.mask_of(lanes.reached));
+                    let own = reached.select(simd.mask_of(lanes.lit), simd.one());
                     own.store(&mut of.visibility[light], 0);
                 }
             }
         }
     }
 
-    /// The lanes of samples that need a place: all with openness, else those that any light with shadows
-    /// lights.
+    /// The lanes of samples from which rays leave: with openness all, else those that any light with shadows lights.
     #[inline(always)]
-    fn asked<N: Lanes>(&self, samples: &SeenSamples<'_, N>) -> u32 {
+    fn lanes_with_rays<N: Lanes>(&self, samples: &SeenSamples<'_, N>) -> u32 {
         let mut any = 0;
         for light in &self.lights[..self.sources.len()] {
             any |= lit(light, samples.point);
@@ -263,20 +270,20 @@ impl Shadows<'_> {
 
     /// The rays to a light without extent, one from each lane that it lights.
     #[inline(always)]
-    pub(super) fn ask_light<N: Lanes>(
+    pub(super) fn rays_to_point<N: Lanes>(
         &self,
         receivers: &Receivers<'_, N>,
         source: &LightSource,
         rays: &mut RayLanes,
-        asked: &mut Asked,
+        lanes: &mut LightLanes,
     ) {
         let shadow =
             ShadowLanes::new(&receivers.places, source, receivers.normals(), receivers.is_mapped);
         let terminator = shadow.terminator;
-        terminator.store(&mut asked.terminator, 0);
-        asked.reached = terminator.zero().less(terminator).bits() & asked.lit;
-        shadow.put_rays(asked.reached, rays);
-        let raised = shadow.raised & asked.reached;
+        terminator.store(&mut lanes.terminator, 0);
+        lanes.reached = terminator.zero().less(terminator).bits() & lanes.lit;
+        shadow.put_rays(lanes.reached, rays);
+        let raised = shadow.raised & lanes.reached;
         if raised != 0 {
             receivers.places.each(
                 raised,

@@ -1,4 +1,4 @@
-//! What keeps light from the samples of batches, and the rays that are asked for it.
+//! Occlusion of the samples of batches: V of each light, openness, and shadow rays that are not traced yet.
 
 use super::place_cache::PlaceCache;
 use luxel_lighting::Occlusion;
@@ -6,16 +6,16 @@ use luxel_math::LANES;
 use luxel_math::prelude::*;
 use luxel_rays::{RayLanes, SceneRays, Spread};
 
-/// What keeps light from the samples of batches, kept from batch to batch.
+/// Occlusion of the samples of batches, with its memory, which a thread reuses.
 #[derive(Default)]
 pub(crate) struct OcclusionLanes {
     pub(super) of: [BatchOcclusion; BATCHES],
     pub(super) cache: PlaceCache,
     pub(super) batch: RayBatch,
-    pub(super) asking: Asking,
+    pub(super) pending: PendingRays,
 }
 
-/// What keeps light from the samples of one batch.
+/// Occlusion of the samples of one batch.
 #[derive(Default)]
 pub(super) struct BatchOcclusion {
     /// V of each light.
@@ -23,8 +23,8 @@ pub(super) struct BatchOcclusion {
     pub(super) openness: Option<[f32; LANES]>,
 }
 
-/// Batches whose rays to a light are traced together. Two share 40 % of the nodes that they visit, four are
-/// as fast.
+/// Batches whose rays to a light are traced as one packet. Of packets alone, those of four batches took as long as
+/// those of two (`docs/notebook/rays-shadows-and-openness.md`).
 pub(crate) const BATCHES: usize = 2;
 
 /// Rays that are traced together, and what comes along them.
@@ -38,21 +38,21 @@ pub(super) struct RayBatch {
 pub(super) const TOGETHER: u32 = 16;
 
 impl OcclusionLanes {
-    /// Forgets what kept so many lights from one of some batches.
+    /// Clears the batch `number` out of `count`: no occlusion, and no pending ray to any of so many lights.
     #[inline(always)]
-    pub(super) fn forget(&mut self, (number, count): (usize, usize), lights: usize) {
+    pub(super) fn reset(&mut self, (number, count): (usize, usize), lights: usize) {
         let BatchOcclusion { visibility, openness } = &mut self.of[number % BATCHES];
         visibility.clear();
         visibility.resize(lights, [1.0; LANES]);
         *openness = None;
-        let Asking { rays, asked, .. } = &mut self.asking;
+        let PendingRays { rays, lights: lanes, .. } = &mut self.pending;
         if rays.len() < lights * count {
             rays.resize(lights * count, RayLanes::NONE);
-            asked.resize(lights * count, Asked::default());
+            lanes.resize(lights * count, LightLanes::default());
         }
         for light in 0..lights {
             rays[light * count + number].lanes = 0;
-            asked[light * count + number].lit = 0;
+            lanes[light * count + number].lit = 0;
         }
     }
 
@@ -74,23 +74,23 @@ impl OcclusionLanes {
     }
 }
 
-/// What is asked of lights without extent: light by light, for each batch.
-pub(super) struct Asking {
+/// Shadow rays to lights without extent that are not traced yet: light by light, for each batch.
+pub(super) struct PendingRays {
     pub(super) rays: Vec<RayLanes>,
-    pub(super) asked: Vec<Asked>,
+    pub(super) lights: Vec<LightLanes>,
     pub(super) through: [[f32; LANES]; BATCHES],
 }
 
-impl Default for Asking {
+impl Default for PendingRays {
     fn default() -> Self {
-        Self { rays: Vec::new(), asked: Vec::new(), through: [[1.0; LANES]; BATCHES] }
+        Self { rays: Vec::new(), lights: Vec::new(), through: [[1.0; LANES]; BATCHES] }
     }
 }
 
-/// What comes of a light's rays from a batch: the lanes that face the light, those that have a ray, and what
-/// normal maps let through.
+/// One light at the samples of a batch: the lanes that face it, those that have a ray, and the terminator's
+/// factor.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Asked {
+pub(super) struct LightLanes {
     pub(super) lit: u32,
     pub(super) reached: u32,
     pub(super) terminator: [f32; LANES],

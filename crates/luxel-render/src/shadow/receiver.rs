@@ -1,7 +1,7 @@
 //! V of each light at one sample, and the rays that find it.
 
 use super::batches::Receivers;
-use super::occlusion::{Asked, RayBatch};
+use super::occlusion::{LightLanes, RayBatch};
 use super::sequence::Scramble;
 use super::shadow_ray::{LightSource, RayStart, ShadowLanes};
 use super::shadows::{Receiver, Shadows, wide};
@@ -45,13 +45,13 @@ impl Shadows<'_> {
             self.soft(&receivers, (&source, light as u32), 1, &mut batch, &mut visibility);
             return visibility[0];
         }
-        let mut asked = Asked { lit: 1, ..Asked::default() };
+        let mut lanes = LightLanes { lit: 1, ..LightLanes::default() };
         let mut rays = RayLanes::NONE;
-        self.ask_light(&receivers, &source, &mut rays, &mut asked);
-        if asked.reached == 0 {
+        self.rays_to_point(&receivers, &source, &mut rays, &mut lanes);
+        if lanes.reached == 0 {
             return 0.0;
         }
-        asked.terminator[0] * self.rays.transmittance(&rays.ray(0))
+        lanes.terminator[0] * self.rays.transmittance(&rays.ray(0))
     }
 
     /// The rays to the light of this number from a receiver's place, and the terminator's factor.
