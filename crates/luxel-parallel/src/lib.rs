@@ -12,6 +12,7 @@
 //! | [`any`], [`first`] | whether something is there, and where |
 //! | [`each`], [`tasks`] | nothing: work on pieces that are ready, on numbers |
 //! | [`join`] | two things done side by side |
+//! | [`Memo`] | a value computed when first needed |
 //! | [`pool`], [`install`] | threads of one's own, and what is done by them |
 //! | [`sort_u32`], [`sort_u64`], [`sort_u128`] | keys in order |
 //!
@@ -34,10 +35,12 @@
 
 #![forbid(unsafe_code)]
 
+mod memo;
 mod run;
 mod sort;
 mod thread;
 
+pub use memo::Memo;
 pub use run::{any, each, each_from_outside, fill, first, gather, map};
 pub use sort::{sort_u32, sort_u64, sort_u128};
 pub use thread::{install, install_while, join, limit_threads, pool, tasks, threads};

@@ -2,9 +2,10 @@
 
 use luxel_bvh::{Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
+use luxel_parallel::Memo;
 use luxel_rays::{ObjectTree, SceneRays, WorldHit, WorldRay};
 use luxel_scene::{CoplanarRanks, Mesh, Object, Scene};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// Why a scene can't be prepared.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -29,7 +30,7 @@ impl From<UnavailableSimdLevel> for PickError {
 pub struct Picker {
     rays: Arc<SceneRays>,
     /// Those of the objects.
-    ranks: OnceLock<CoplanarRanks>,
+    ranks: Memo<CoplanarRanks>,
 }
 
 impl Picker {
@@ -64,7 +65,7 @@ impl Picker {
     /// Shares trees that are there already, as a renderer's for shadows.
     #[must_use]
     pub fn of(rays: Arc<SceneRays>) -> Self {
-        Self { rays, ranks: OnceLock::new() }
+        Self { rays, ranks: Memo::new() }
     }
 
     /// Its trees.
@@ -123,7 +124,7 @@ impl Picker {
 
     /// The ranks of surfaces in one plane, found by the first view.
     pub(crate) fn ranks(&self) -> &CoplanarRanks {
-        self.ranks.get_or_init(|| CoplanarRanks::of(self.scene(), self.objects()))
+        self.ranks.get_or_compute(|| CoplanarRanks::of(self.scene(), self.objects()))
     }
 
     pub(crate) fn level(&self) -> Level {

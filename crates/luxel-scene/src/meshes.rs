@@ -4,6 +4,7 @@ use crate::extremes::Extremes;
 use crate::point_tree::PointTree;
 use crate::{Bounds, Mesh, MeshId};
 use glam::DMat4;
+use luxel_parallel::Memo;
 use std::fmt;
 use std::ops::{Deref, DerefMut};
 use std::sync::{Arc, OnceLock};
@@ -31,7 +32,7 @@ use std::sync::{Arc, OnceLock};
 pub struct Meshes {
     list: Vec<Mesh>,
     /// A tree of each mesh. Lists share them only while they hold the same meshes.
-    trees: OnceLock<Arc<[OnceLock<PointTree>]>>,
+    trees: OnceLock<Arc<[Memo<PointTree>]>>,
 }
 
 impl Meshes {
@@ -49,15 +50,9 @@ impl Meshes {
     /// A mesh, with the tree over its drawn points.
     pub(crate) fn with_tree(&self, mesh: MeshId) -> (&Mesh, &PointTree) {
         let index = mesh.index();
-        let trees = self.trees.get_or_init(|| self.list.iter().map(|_| OnceLock::new()).collect());
+        let trees = self.trees.get_or_init(|| self.list.iter().map(|_| Memo::new()).collect());
         let (mesh, tree) = (&self.list[index], &trees[index]);
-        if let Some(tree) = tree.get() {
-            return (mesh, tree);
-        }
-        // Built before the lock is taken: while a thread waits here for others, it may take up work
-        // that needs the same tree.
-        let built = PointTree::new(mesh);
-        (mesh, tree.get_or_init(|| built))
+        (mesh, tree.get_or_compute(|| PointTree::new(mesh)))
     }
 
     #[cfg(test)]

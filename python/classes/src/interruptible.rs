@@ -47,8 +47,8 @@ pub(crate) fn interruptible_on<T: Send>(
     on_threads(py, renderer, &mut || Ok(()), |stop, _until_done| work(stop))
 }
 
-/// [`interruptible_on`] for each number below `count`, in parallel on the renderer's threads. `progress` is called
-/// after each, and cancels the rest by an error.
+/// [`interruptible_on`] for 0, then for each other number below `count`, in parallel on the renderer's threads.
+/// `progress` is called after each, and cancels the rest by an error.
 ///
 /// # Errors
 /// What a signal handler or `progress` raises.
@@ -62,13 +62,18 @@ pub(crate) fn interruptible_each<T: Send>(
     let results = on_threads(py, renderer, progress, |stop, done| {
         let mut results: Vec<Option<T>> = Vec::new();
         results.resize_with(count, || None);
-        luxel_parallel::fill(&mut results, 1, &|number, result| {
+        let fill = |number: usize, result: &mut [Option<T>]| {
             if !stop.load(Ordering::Relaxed) {
                 result[0] = Some(work(number, stop));
                 // Fails only after the receiver is gone, with a panic.
                 let _ = done.send(());
             }
-        });
+        };
+        // What all of them need is computed once, by the first.
+        if let Some((first, others)) = results.split_at_mut_checked(1) {
+            fill(0, first);
+            luxel_parallel::fill(others, 1, &|number, result| fill(number + 1, result));
+        }
         results
     })?;
     Ok(results.into_iter().flatten().collect())

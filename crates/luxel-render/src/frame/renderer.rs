@@ -19,6 +19,7 @@ use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
 use luxel_lighting::{Environment, LightKind, LightingEnvironment};
 use luxel_math::{Level, dispatch_long};
+use luxel_parallel::Memo;
 use luxel_rays::{MeshTrees, SceneRays};
 use luxel_scene::{AlphaMode, Bounds, CoplanarRanks, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
@@ -27,7 +28,7 @@ use luxel_visibility::{
 };
 use rayon::prelude::*;
 use std::sync::atomic::AtomicBool;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 pub use prepared::Prepared;
@@ -41,20 +42,20 @@ pub struct Renderer {
     scene: Arc<Scene>,
     objects: Vec<Object>,
     /// Those of the objects.
-    ranks: OnceLock<CoplanarRanks>,
+    ranks: Memo<CoplanarRanks>,
     /// The clusters of each mesh.
     clusters: Vec<Clusters>,
     /// The polygons of each mesh, once they are asked for.
-    polygons_of_meshes: Vec<OnceLock<Box<Polygons>>>,
+    polygons_of_meshes: Vec<Memo<Box<Polygons>>>,
     /// The trees for shadows, once a view needs them.
-    rays: OnceLock<Result<Box<SceneRays>, RenderError>>,
+    rays: Memo<Result<Box<SceneRays>, RenderError>>,
     /// Trees of the same meshes, for when they are needed again.
     kept_trees: Mutex<Option<MeshTrees>>,
     /// The memory that trees may take.
     max_memory: u64,
     /// The bounds of what is drawn, and how low it reaches, once a view needs them.
-    bounds: OnceLock<Bounds>,
-    lowest: OnceLock<f64>,
+    bounds: Memo<Bounds>,
+    lowest: Memo<f64>,
     level: Level,
     /// `None` where the machine has no threads.
     pool: Option<rayon::ThreadPool>,
@@ -74,14 +75,14 @@ impl Renderer {
         let frames = if execution.one_frame { Frames::One } else { Frames::Many };
         let mut renderer = Self {
             objects: scene.objects(),
-            ranks: OnceLock::new(),
+            ranks: Memo::new(),
             clusters: Vec::new(),
-            polygons_of_meshes: scene.meshes.iter().map(|_| OnceLock::new()).collect(),
-            rays: OnceLock::new(),
+            polygons_of_meshes: scene.meshes.iter().map(|_| Memo::new()).collect(),
+            rays: Memo::new(),
             kept_trees: Mutex::default(),
             max_memory: execution.max_memory,
-            bounds: OnceLock::new(),
-            lowest: OnceLock::new(),
+            bounds: Memo::new(),
+            lowest: Memo::new(),
             level,
             pool,
             clock: execution.clock,
@@ -128,9 +129,9 @@ impl Renderer {
     pub fn show_objects(&mut self, objects: Vec<Object>) {
         self.objects = objects;
         self.kept_trees = Mutex::new(self.take_trees());
-        self.ranks = OnceLock::new();
-        self.bounds = OnceLock::new();
-        self.lowest = OnceLock::new();
+        self.ranks = Memo::new();
+        self.bounds = Memo::new();
+        self.lowest = Memo::new();
     }
 
     /// The threads that work.
@@ -311,7 +312,7 @@ impl Renderer {
             .ok_or(RenderError::Samples(view.samples))?;
         self.install(|| {
             let rules = frame_setup::surface_rules(view, covers);
-            let ranks = self.ranks.get_or_init(|| CoplanarRanks::of(&self.scene, &self.objects));
+            let ranks = self.ranks.get_or_compute(|| CoplanarRanks::of(&self.scene, &self.objects));
             let objects = (&self.objects[..], ranks);
             let placed = PlacedScene::new(&self.scene, objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
@@ -431,7 +432,7 @@ impl Renderer {
             let mesh = self.objects[instance.objects.start].mesh.index();
             let made = || Box::new(Polygons::new(&self.scene.meshes[mesh]));
             let is_whole = whole && instance.strokes.is_none();
-            is_whole.then(|| &**self.polygons_of_meshes[mesh].get_or_init(made))
+            is_whole.then(|| &**self.polygons_of_meshes[mesh].get_or_compute(made))
         };
         instances.iter().map(of).collect()
     }

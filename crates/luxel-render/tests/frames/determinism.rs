@@ -11,7 +11,8 @@ use luxel_render::{
 use luxel_scene::{
     Camera, DVec2, DVec3, Lens, NormalOptions, Projection, Scene, Size, demos, primitives,
 };
-use std::sync::Arc;
+use std::sync::{Arc, mpsc};
+use std::time::Duration;
 
 fn perspective(scene: &Scene, size: Size) -> View {
     let bounds = scene.bounds();
@@ -173,5 +174,30 @@ fn tiles_drawn_in_sets_have_the_bytes_of_the_picture_and_others_stay() {
         let [column, row] = [at % 300 / side, at / 300 / side];
         let drawn = [6, 0].contains(&(row * 5 + column));
         assert_eq!(own, if drawn { expected } else { &marked }, "pixel {at}");
+    }
+}
+
+#[test]
+fn views_drawn_at_once_by_a_new_renderer_wait_for_one_another_forever() {
+    let scene = Arc::new(demos::demo("welcome").unwrap());
+    let mut view = perspective(&scene, Size { width: 48, height: 32 });
+    view.shadows = true;
+    view.ground = true;
+    view.shading.mode = ShadingMode::Flat;
+    let drawn_by = |renderer: &Renderer, view: &View| renderer.rgba8(view).unwrap().pixels;
+    let execution = execution(2, SimdLevel::Auto);
+    let expected = drawn_by(&Renderer::new(Arc::clone(&scene), &execution).unwrap(), &view);
+    for _ in 0..50 {
+        let renderer = Arc::new(Renderer::new(Arc::clone(&scene), &execution).unwrap());
+        let (sender, drawn) = mpsc::channel();
+        for _ in 0..4 {
+            let (renderer, view, sender) = (Arc::clone(&renderer), view.clone(), sender.clone());
+            // No scope, which would wait for a thread that never ends.
+            std::thread::spawn(move || sender.send(drawn_by(&renderer, &view)));
+        }
+        for _ in 0..4 {
+            let pixels = drawn.recv_timeout(Duration::from_secs(120)).expect("a picture");
+            assert!(pixels == expected, "the pictures differ");
+        }
     }
 }

@@ -16,7 +16,7 @@ const QUALITY: Quality = Quality::Thorough;
 impl Renderer {
     /// The bounds of what is drawn.
     pub(super) fn bounds(&self) -> Bounds {
-        *self.bounds.get_or_init(|| self.scene.bounds_of(&self.objects))
+        *self.bounds.get_or_compute(|| self.scene.bounds_of(&self.objects))
     }
 
     /// What is up in a view, of unit length.
@@ -29,7 +29,7 @@ impl Renderer {
         let up = self.up(view);
         let lowest = || self.scene.lowest_of(&self.objects, up);
         let level = match view.up {
-            None => *self.lowest.get_or_init(lowest),
+            None => *self.lowest.get_or_compute(lowest),
             Some(_) => lowest(),
         };
         Floor { up, level }
@@ -57,7 +57,7 @@ impl Renderer {
             };
             Ok(Box::new(rays?))
         };
-        let rays = self.rays.get_or_init(build).as_ref();
+        let rays = self.rays.get_or_compute(build).as_ref();
         rays.map(AsRef::as_ref).map_err(Clone::clone)
     }
 

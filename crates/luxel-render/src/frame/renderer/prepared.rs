@@ -3,18 +3,19 @@
 use super::{Renderer, Workers};
 use crate::polygons::Polygons;
 use luxel_math::Level;
+use luxel_parallel::Memo;
 use luxel_rays::MeshTrees;
 use luxel_scene::{CoplanarRanks, Object, Scene};
 use luxel_visibility::{Clusters, Frames};
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 /// What a renderer has made ready of its scene's meshes, with its threads.
 pub struct Prepared {
     /// Of each mesh: how many triangles it has, and what was made of them.
-    meshes: Vec<(usize, Clusters, OnceLock<Box<Polygons>>)>,
+    meshes: Vec<(usize, Clusters, Memo<Box<Polygons>>)>,
     /// The objects, and their ranks, if a view has needed them.
-    ranks: (Vec<Object>, OnceLock<CoplanarRanks>),
+    ranks: (Vec<Object>, Memo<CoplanarRanks>),
     /// The trees of all meshes, if a view has needed them.
     trees: Option<MeshTrees>,
     max_memory: u64,
@@ -28,7 +29,7 @@ impl Renderer {
     pub(super) fn separate(&mut self) {
         Arc::make_mut(&mut self.scene).separate();
         let scene = &self.scene;
-        self.polygons_of_meshes = scene.meshes.iter().map(|_| OnceLock::new()).collect();
+        self.polygons_of_meshes = scene.meshes.iter().map(|_| Memo::new()).collect();
         self.clusters = self.install(|| clusters(scene, Frames::Many));
     }
 
@@ -58,14 +59,14 @@ impl Renderer {
         let Prepared { meshes, ranks, trees, max_memory, level, pool, clock } = prepared;
         let mut renderer = Self {
             objects: scene.objects(),
-            ranks: OnceLock::new(),
+            ranks: Memo::new(),
             clusters: Vec::new(),
             polygons_of_meshes: Vec::new(),
-            rays: OnceLock::new(),
+            rays: Memo::new(),
             kept_trees: Mutex::new(trees),
             max_memory,
-            bounds: OnceLock::new(),
-            lowest: OnceLock::new(),
+            bounds: Memo::new(),
+            lowest: Memo::new(),
             level,
             pool,
             clock,
@@ -86,7 +87,7 @@ impl Renderer {
                 renderer.ranks = ranks;
             }
         } else {
-            renderer.polygons_of_meshes = scene.meshes.iter().map(|_| OnceLock::new()).collect();
+            renderer.polygons_of_meshes = scene.meshes.iter().map(|_| Memo::new()).collect();
             renderer.clusters = renderer.install(|| clusters(scene, Frames::Many));
         }
         renderer
