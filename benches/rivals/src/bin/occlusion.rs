@@ -10,7 +10,7 @@
 //! u32 rays to the light, u32 rays of openness, then all of them, 8 f32 each: origin, direction, range.
 //! A row: what, the least and the median of the rounds in milliseconds, and hits as a check.
 
-use luxel_bvh::{Bvh, MeshRays, Quality, Ray};
+use luxel_bvh::{Bvh, MeshRays, Quality, Ray, RayColumns};
 use luxel_rivals::{Mesh, read};
 use std::error::Error;
 use std::f32::consts::TAU;
@@ -143,6 +143,23 @@ fn each(rays: &[Ray], threads: usize, work: &(dyn Fn(&[Ray]) -> usize + Sync)) -
     })
 }
 
+/// Rays side by side, sixteen to each of the blocks.
+fn columns<'b>(rays: &[Ray], blocks: &'b mut [RayColumns]) -> &'b [RayColumns] {
+    let count = rays.len().div_ceil(16);
+    for (rays, block) in rays.chunks(16).zip(blocks.iter_mut()) {
+        block.lanes = (1 << rays.len()) - 1;
+        for (lane, Ray { origin, direction, range }) in rays.iter().enumerate() {
+            for axis in 0..3 {
+                block.origin[axis][lane] = origin[axis];
+                block.direction[axis][lane] = direction[axis];
+            }
+            block.range[0][lane] = range[0];
+            block.range[1][lane] = range[1];
+        }
+    }
+    &blocks[..count]
+}
+
 fn blocked(hits: &[bool]) -> usize {
     hits.iter().filter(|hit| **hit).count()
 }
@@ -156,14 +173,16 @@ fn time(
     let bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Thorough)?;
     let traced = MeshRays::new(&bvh, &mesh.positions);
     let singly = |chunk: &[Ray]| chunk.iter().filter(|ray| traced.any(ray)).count();
-    // As the renderer makes them: a block's rays to a light, and 16 rays from each of its pixels.
-    let to_light_of_block = |chunk: &[Ray]| {
-        let mut hits = [false; 16];
-        let of = |rays: &[Ray], hits: &mut [bool]| {
-            traced.any_of_few(rays, hits);
-            blocked(hits)
+    // As the renderer makes them: the rays of two blocks to a light, in columns, and 16 rays from each pixel.
+    let to_light_of_blocks = |chunk: &[Ray]| {
+        let mut hits = [0; 2];
+        let of = |rays: &[Ray], hits: &mut [u32]| {
+            let mut blocks = [RayColumns::NONE; 2];
+            let columns = columns(rays, &mut blocks);
+            traced.any_of_columns(columns, &mut hits[..columns.len()]);
+            hits[..columns.len()].iter().map(|hits| hits.count_ones() as usize).sum::<usize>()
         };
-        chunk.chunks(16).map(|rays| of(rays, &mut hits[..rays.len()])).sum()
+        chunk.chunks(32).map(|rays| of(rays, &mut hits)).sum()
     };
     let open_of_block = |chunk: &[Ray]| {
         let mut hits = [false; 256];
@@ -176,7 +195,7 @@ fn time(
     type Work<'w> = &'w (dyn Fn(&[Ray]) -> usize + Sync);
     let rows: [(&str, &[Ray], Work<'_>); 4] = [
         ("light luxel, one at a time", &to_light, &singly),
-        ("light luxel, by blocks", &to_light, &to_light_of_block),
+        ("light luxel, by blocks", &to_light, &to_light_of_blocks),
         ("openness luxel, one at a time", &open, &singly),
         ("openness luxel, by blocks", &open, &open_of_block),
     ];
