@@ -20,8 +20,8 @@
 //! are [`luxel_visibility`]'s; hit records and feedback buffers are [`luxel_pick`]'s. Window y is up, and row 0 of a
 //! buffer is the bottom one, so that left and bottom edges belong to a triangle.
 //!
-//! Limits of this version: images of colour indices are missing; smooth polygons are drawn without smoothing; the default
-//! framebuffer has one sample a pixel, and framebuffer objects have one colour.
+//! Limits of this version: images of colour indices are missing; the default framebuffer has one sample a pixel, and
+//! framebuffer objects have one colour.
 
 #![forbid(unsafe_code)]
 

@@ -89,6 +89,8 @@ impl Batch {
                 let high = [a[0].max(b[0]) + wide, a[1].max(b[1]) + wide];
                 (low, high, self.pipeline.region)
             }
+            // Pieces know the outline.
+            Shape::Smooth { .. } => return self.polygon_region,
             Shape::Band { .. } | Shape::Disc { .. } => {
                 let [l, b, r, t] = self.pipeline.region;
                 let bounds = shape.figure().map(|figure| figure.bounds());
@@ -141,7 +143,7 @@ impl Batch {
             ([a, b, b], [from, to, to])
         };
         match shape {
-            None | Some(Shape::Triangle(_)) => {
+            None | Some(Shape::Triangle(_) | Shape::Smooth { .. }) => {
                 let places = corners.map(|corner| self.homogeneous(corner));
                 prepared.weigh(&LinearForms::from_homogeneous(places));
                 prepared.color(colors, fog);

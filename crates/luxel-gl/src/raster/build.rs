@@ -10,7 +10,7 @@ use crate::enums as gl;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon};
 use crate::vertex::codes;
 use luxel_math::SUBPIXELS;
-use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
+use luxel_visibility::{CullFaces, DepthPlane, GUARD_BAND, Triangle, WindowVertex};
 
 /// Primitives that one thread makes pieces of at a time.
 pub(crate) const PIECES_RUN: usize = 2048;
@@ -19,7 +19,7 @@ pub(crate) const PIECES_RUN: usize = 2048;
 pub(crate) struct PieceBuilder<'a> {
     pub(super) state: &'a DrawState,
     pub(super) batch: &'a Batch,
-    pieces: Pieces,
+    pub(super) pieces: Pieces,
     /// The counter of line stipples (section 3.4.2).
     pub(super) counter: u32,
     polygon: Vec<ClipCorner>,
@@ -97,30 +97,40 @@ impl<'a> PieceBuilder<'a> {
     }
 
     fn triangle(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
-        let [a, b, c] = corners.map(|corner| self.codes(corner));
-        let any = a | b | c;
-        if a & b & c & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
+        if self.is_out_of_sight(corners) {
             return;
         }
+        let any = corners.iter().fold(0, |any, corner| any | self.codes(*corner));
         let outside = any & codes::OUTSIDE & !codes::SIDES != 0;
         if !outside && any & codes::NOT_HELD == 0 {
             self.whole(corners, flat, facing);
             return;
         }
-        let planes = self.planes(any, &corners, true);
+        let placed = self.clipped(corners);
+        for pair in placed.get(1..).unwrap_or_default().windows(2) {
+            self.piece([placed[0], pair[0], pair[1]], corners, flat, facing);
+        }
+    }
+
+    /// Whether all corners of a triangle lie beyond one plane, or one of them is nowhere.
+    #[inline(always)]
+    pub(super) fn is_out_of_sight(&self, corners: [u32; 3]) -> bool {
+        let [a, b, c] = corners.map(|corner| self.codes(corner));
+        a & b & c & codes::OUTSIDE != 0 || (a | b | c) & codes::NOT_FINITE != 0
+    }
+
+    /// What clipping leaves of a triangle, in the window.
+    pub(super) fn clipped(&mut self, corners: [u32; 3]) -> Vec<WindowVertex> {
+        let codes = corners.map(|corner| self.codes(corner));
+        let planes = self.planes(codes[0] | codes[1] | codes[2], &corners, true);
         let mut polygon = std::mem::take(&mut self.polygon);
         polygon.clear();
         polygon.extend([0, 1, 2].map(|number| self.corner(corners[number], number)));
         clip_polygon(&mut polygon, &planes, Plane::distance);
-        let mut placed = polygon.iter().filter_map(|corner| self.clipped_window(corner, &corners));
-        if let (Some(first), Some(mut last)) = (placed.next(), placed.next()) {
-            let rest: Vec<WindowVertex> = placed.collect();
-            for next in rest {
-                self.piece([first, last, next], corners, flat, facing);
-                last = next;
-            }
-        }
+        let place = |corner: &ClipCorner| self.clipped_window(corner, &corners);
+        let placed = polygon.iter().filter_map(place).collect();
         self.polygon = polygon;
+        placed
     }
 
     /// A filled triangle as its corners lie in the window.
@@ -192,6 +202,18 @@ impl<'a> PieceBuilder<'a> {
         self.pieces.push(self.batch, shape, shade, offset);
     }
 
+    /// The pixels of a smooth polygon that one of its triangles colours.
+    pub(super) fn put_smooth(
+        &mut self,
+        outline: (u32, u32),
+        depth: DepthPlane,
+        shade: Shade,
+        offset: Option<[f32; 3]>,
+    ) {
+        let (outline, triangle) = outline;
+        self.put(Shape::Smooth { outline, triangle, depth }, shade, offset, depth.high);
+    }
+
     /// Whether pixels have several samples, each of which is covered or not.
     pub(super) fn has_samples(&self) -> bool {
         self.batch.pipeline.multisample.is_some()
@@ -214,8 +236,9 @@ impl Visitor for PieceBuilder<'_> {
         if state.culled == [true; 2] {
             return;
         }
-        let filled = state.modes == [gl::FILL; 2];
-        if let (true, &[a, b, c]) = (filled, corners) {
+        let is_smooth = state.smooth[2] && !self.has_samples();
+        let is_filled = state.modes == [gl::FILL; 2] && !is_smooth;
+        if let (true, &[a, b, c]) = (is_filled, corners) {
             self.triangle([a, b, c], flat, None);
             return;
         }
@@ -225,6 +248,9 @@ impl Visitor for PieceBuilder<'_> {
         }
         if state.mode(side) != gl::FILL {
             self.outline(corners, (flat, flagged), provoking, side);
+            return;
+        }
+        if is_smooth && self.smooth_polygon(corners, (flat, side), provoking) {
             return;
         }
         for fan in state.fans(&self.batch.vertices, corners, provoking) {

@@ -22,8 +22,8 @@ pub(crate) struct DrawState {
     pub(super) attenuation: [f32; 3],
     /// The width of lines, within its limits.
     pub(super) line_size: f32,
-    /// Whether points and lines are smooth.
-    pub(super) smooth: [bool; 2],
+    /// Whether points, lines and polygons are smooth.
+    pub(super) smooth: [bool; 3],
     /// Enabled planes of the user, by numbers of bits, in eye coordinates.
     pub(super) planes: Vec<(u32, [f64; 4])>,
     pub(super) scale: WindowScale,
@@ -58,7 +58,7 @@ impl DrawState {
             point_limits: [state.points.least, state.points.largest],
             attenuation: state.points.attenuation,
             line_size: state.lines.width.clamp(1.0, crate::limits::LARGEST_SIZE),
-            smooth: [gl::POINT_SMOOTH, gl::LINE_SMOOTH].map(has),
+            smooth: [gl::POINT_SMOOTH, gl::LINE_SMOOTH, gl::POLYGON_SMOOTH].map(has),
             planes: enabled
                 .map(|number| (number, state.transform.planes[number as usize]))
                 .collect(),

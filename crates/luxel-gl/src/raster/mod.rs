@@ -2,12 +2,12 @@
 //!
 //! 1. `pipeline`: all state of fragments; `batch`: what the primitives of one draw have in common; `pieces`: the parts of
 //!    these, with their `shape`.
-//! 2. `build`: culls and clips primitives, and makes pieces of them (`border`: of lines and points), by `draw_state`, where
+//! 2. `build`: culls and clips primitives, and makes pieces of them (`border`: of lines and points, `smooth_fill`: of smooth polygons), by `draw_state`, where
 //!    `placement` has them in the window.
 //! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
 //!    memory.
 //! 4. `tile`: takes one tile's list in order, `piece_sink` the samples of one piece (`strokes`: of lines and points,
-//!    `smooth`: of those that end within pixels; `image`: of images; `samples`: where these lie). Where colours take no
+//!    `smooth`: of those that end within pixels, `outline`: of smooth polygons; `image`: of images; `samples`: where these lie). Where colours take no
 //!    notice of what is there, samples are tested at once and note which piece they see; those that are seen at last are
 //!    lit (`lighter`, `shade`). Where they do, blocks are lit as they come, once for all samples (`shaded`).
 //! 5. `stencil`, `blend`: tests of fragments and mixing of colours.
@@ -24,6 +24,7 @@ mod framebuffer;
 mod image;
 mod lighter;
 mod log;
+mod outline;
 mod piece_sink;
 mod pieces;
 mod pipeline;
@@ -33,6 +34,7 @@ mod shade;
 mod shaded;
 mod shape;
 mod smooth;
+mod smooth_fill;
 mod spare;
 mod stencil;
 mod strokes;

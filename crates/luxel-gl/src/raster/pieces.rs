@@ -1,6 +1,7 @@
 //! The pieces of a batch: what covers pixels, and what shades them.
 
 use super::batch::Batch;
+use super::outline::Outline;
 use super::shape::Shape;
 use luxel_visibility::{CullFaces, TILE, Triangle};
 
@@ -46,6 +47,8 @@ impl Piece {
 pub(crate) struct Pieces {
     list: Vec<Piece>,
     shapes: Vec<Shape>,
+    /// Of smooth polygons.
+    outlines: Vec<Outline>,
 }
 
 impl Pieces {
@@ -58,7 +61,15 @@ impl Pieces {
 
     /// Appends a shape, unless it reaches no pixel.
     pub(super) fn push(&mut self, batch: &Batch, shape: Shape, shade: Shade, offset: f32) {
-        if let Some(tiles) = tiles(batch.bounds(&shape)) {
+        let bounds = match shape {
+            Shape::Smooth { outline, triangle, .. } => {
+                let [left, bottom, right, top] = self.outline(outline).bounds(triangle as usize);
+                let [l, b, r, t] = batch.polygon_region;
+                [left.max(l), bottom.max(b), right.min(r), top.min(t)]
+            }
+            _ => batch.bounds(&shape),
+        };
+        if let Some(tiles) = tiles(bounds) {
             self.list.push(Piece { shade, offset, shape: self.shapes.len() as u32, tiles });
             self.shapes.push(shape);
         }
@@ -71,6 +82,17 @@ impl Pieces {
         if let Some(tiles) = tiles(bounds) {
             self.list.push(Piece { shade, offset, shape: OF_CORNERS, tiles });
         }
+    }
+
+    /// Keeps an outline: its number.
+    pub(super) fn put_outline(&mut self, outline: Outline) -> u32 {
+        self.outlines.push(outline);
+        self.outlines.len() as u32 - 1
+    }
+
+    /// The outline with a number.
+    pub(super) fn outline(&self, number: u32) -> &Outline {
+        &self.outlines[number as usize]
     }
 
     /// All of them.
@@ -86,17 +108,20 @@ impl Pieces {
 
     /// Bytes that they take.
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(self.list.as_slice()) + size_of_val(self.shapes.as_slice())
+        size_of_val(self.list.as_slice())
+            + size_of_val(self.shapes.as_slice())
+            + self.outlines.iter().map(Outline::bytes).sum::<usize>()
     }
 
     /// How many there is room for.
     pub(super) fn capacity(&self) -> usize {
-        self.list.capacity().max(self.shapes.capacity())
+        self.list.capacity().max(self.shapes.capacity()).max(self.outlines.capacity())
     }
 
     pub(super) fn clear(&mut self) {
         self.list.clear();
         self.shapes.clear();
+        self.outlines.clear();
     }
 }
 

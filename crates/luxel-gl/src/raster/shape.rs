@@ -2,7 +2,7 @@
 
 use super::smooth::Figure;
 use crate::primitive::line::LineWalk;
-use luxel_visibility::Triangle;
+use luxel_visibility::{DepthPlane, Triangle};
 
 /// The two ends of a line that clipping has left.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +31,13 @@ pub(crate) enum Shape {
         line: LineEnds,
         width: i32,
         counter: u32,
+    },
+    /// The part of a smooth polygon that one of its triangles colours: the outline's number among those of the pieces, and
+    /// the triangle's in the outline; its depths.
+    Smooth {
+        outline: u32,
+        triangle: u32,
+        depth: DepthPlane,
     },
     /// Left and bottom of the batch's bitmap; its depth.
     Bitmap {

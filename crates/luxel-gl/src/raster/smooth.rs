@@ -1,14 +1,15 @@
-//! Figures that end anywhere within pixels: smooth points and lines, of which pixels are covered in part (OpenGL 1.5, sections
-//! 3.3 and 3.4.2), and those of framebuffers with several samples (sections 3.3.1 and 3.4.4).
+//! Figures that end anywhere within pixels: smooth points, lines and polygons, of which pixels are covered in part (OpenGL
+//! 1.5, sections 3.3, 3.4.2 and 3.5), and those of framebuffers with several samples (sections 3.3.1 and 3.4.4).
 
 use super::framebuffer::{LANE_X, LANE_Y, block_origin};
+use super::outline::Outline;
 use super::piece_sink::PieceSink;
 use crate::plane::TILE_BLOCKS;
 use luxel_math::{LANES, SUBPIXELS, Simd};
-use luxel_visibility::{BLOCK, Sink, TILE};
+use luxel_visibility::{BLOCK, DepthPlane, Sink, TILE};
 
 /// Half of a pixel's diagonal.
-const HALF_DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
+pub(super) const HALF_DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Places in a row of a pixel, by which the part is found that a disc covers.
 const PLACES: usize = 16;
@@ -102,7 +103,8 @@ impl Figure {
                 if least <= -HALF_DIAGONAL {
                     return 0.0;
                 }
-                let mut corners = [[0.0; 2]; MOST_CORNERS];
+                // A pixel that four lines have cut has eight corners at most.
+                let (mut corners, mut spare) = ([[0.0; 2]; 8], [[0.0; 2]; 8]);
                 for (corner, [right, up]) in
                     corners.iter_mut().zip([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
                 {
@@ -112,7 +114,8 @@ impl Figure {
                 for (axis, sign, limit) in
                     [(0, 1.0, 0.0), (0, -1.0, -length), (1, 1.0, -half), (1, -1.0, -half)]
                 {
-                    count = cut(&mut corners, count, |corner| corner[axis] * sign - limit);
+                    count =
+                        cut(&mut corners, &mut spare, count, |corner| corner[axis] * sign - limit);
                 }
                 area(&corners[..count]).clamp(0.0, 1.0)
             }
@@ -145,16 +148,15 @@ fn pixels(place: [i32; 2]) -> [f64; 2] {
     place.map(|at| f64::from(at) / f64::from(SUBPIXELS))
 }
 
-/// Corners of a pixel that four lines have cut.
-const MOST_CORNERS: usize = 8;
-
-/// Keeps what of a convex polygon has no negative distance; how many corners that has.
-fn cut(
-    corners: &mut [[f64; 2]; MOST_CORNERS],
+/// Keeps what of a convex polygon has no negative distance; how many corners that has. `spare` is as long as `corners`.
+pub(super) fn cut(
+    corners: &mut [[f64; 2]],
+    spare: &mut [[f64; 2]],
     count: usize,
     distance: impl Fn([f64; 2]) -> f64,
 ) -> usize {
-    let before = *corners;
+    let before = &mut spare[..count];
+    before.copy_from_slice(&corners[..count]);
     let mut kept = 0;
     let mut keep = |corner: [f64; 2]| {
         if let Some(place) = corners.get_mut(kept) {
@@ -177,7 +179,7 @@ fn cut(
 }
 
 /// The area of a polygon that runs counter-clockwise.
-fn area(corners: &[[f64; 2]]) -> f64 {
+pub(super) fn area(corners: &[[f64; 2]]) -> f64 {
     let mut sum = 0.0;
     for (at, a) in corners.iter().enumerate() {
         let b = corners[(at + 1) % corners.len()];
@@ -220,7 +222,35 @@ pub(super) fn covered_in_part<S: Simd>(
     figure: &Figure,
     course: Course,
 ) {
-    let [low, high] = within(sink, figure);
+    let covered = |pixel: [i32; 2]| {
+        let along = figure.along(pixel.map(|at| f64::from(at) + 0.5));
+        let part = figure.coverage(pixel);
+        (part > 0.0 && course.shows(along)).then(|| (part, course.depth(along, figure)))
+    };
+    put_covered(sink, figure.bounds(), &covered);
+}
+
+/// The fragments in the tile that one triangle of an outline colours, whose alphas are multiplied by the part of a pixel that
+/// the outline covers.
+pub(super) fn covered_by_outline<S: Simd>(
+    sink: &mut PieceSink<'_, '_, S>,
+    (outline, triangle): (&Outline, usize),
+    depth: &DepthPlane,
+) {
+    let covered = |pixel: [i32; 2]| {
+        let middle = pixel.map(|at| at * SUBPIXELS + SUBPIXELS / 2);
+        outline.coverage(triangle, pixel).map(|part| (part, depth.at(middle)))
+    };
+    put_covered(sink, outline.bounds(triangle), &covered);
+}
+
+/// The fragments in the tile of which a part is covered, and their depths.
+fn put_covered<S: Simd>(
+    sink: &mut PieceSink<'_, '_, S>,
+    bounds: [i32; 4],
+    covered: &dyn Fn([i32; 2]) -> Option<(f64, f32)>,
+) {
+    let [low, high] = within(sink, bounds);
     for block in 0..TILE_BLOCKS {
         let first = block_origin(block);
         if (0..2).any(|axis| first[axis] >= high[axis] || first[axis] + BLOCK <= low[axis]) {
@@ -233,12 +263,10 @@ pub(super) fn covered_in_part<S: Simd>(
                 continue;
             }
             let pixel = [sink.origin[0] + at[0], sink.origin[1] + at[1]];
-            let along = figure.along(pixel.map(|at| f64::from(at) + 0.5));
-            let part = figure.coverage(pixel);
-            if part > 0.0 && course.shows(along) {
+            if let Some((part, depth)) = covered(pixel) {
                 lanes |= 1 << lane;
                 coverage[lane] = part as f32;
-                depths[lane] = course.depth(along, figure);
+                depths[lane] = depth;
             }
         }
         if lanes != 0 {
@@ -256,7 +284,7 @@ pub(super) fn sampled<S: Simd>(
     course: Course,
     offset: [i32; 2],
 ) {
-    let [low, high] = within(sink, figure);
+    let [low, high] = within(sink, figure.bounds());
     let offset = pixels(offset);
     for y in low[1]..high[1] {
         for x in low[0]..high[0] {
@@ -272,9 +300,8 @@ pub(super) fn sampled<S: Simd>(
     }
 }
 
-/// The tile's own pixels that a figure may reach and that may be drawn to.
-fn within<S>(sink: &PieceSink<'_, '_, S>, figure: &Figure) -> [[i32; 2]; 2] {
-    let bounds = figure.bounds();
+/// The tile's own pixels within bounds that may be drawn to.
+fn within<S>(sink: &PieceSink<'_, '_, S>, bounds: [i32; 4]) -> [[i32; 2]; 2] {
     let low = |axis: usize| (bounds[axis] - sink.origin[axis]).max(sink.limits[axis]).max(0);
     let high =
         |axis: usize| (bounds[axis + 2] - sink.origin[axis]).min(sink.limits[axis + 2]).min(TILE);

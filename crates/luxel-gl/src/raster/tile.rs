@@ -10,7 +10,7 @@ use super::pieces::{Piece, Pieces};
 use super::samples::{Multisample, offset};
 use super::shaded::ShadedBlocks;
 use super::shape::Shape;
-use super::smooth::{Course, covered_in_part, sampled};
+use super::smooth::{Course, covered_by_outline, covered_in_part, sampled};
 use super::strokes::{bitmap, line, point};
 use crate::plane::TILE_BLOCKS;
 use luxel_math::{LANES, Simd};
@@ -181,7 +181,7 @@ impl<'a> TileWorker<'a> {
             Some(Shape::Triangle(triangle)) => Some(*triangle),
             _ => None,
         };
-        let of_polygon = triangle.is_some();
+        let of_polygon = triangle.is_some() || matches!(shape, Some(Shape::Smooth { .. }));
         let limits = if of_polygon { batch.polygon_region } else { pipeline.region };
         let limits = self.within(limits);
         let plain = pipeline.stencil.is_none()
@@ -230,6 +230,10 @@ impl<'a> TileWorker<'a> {
                 Shape::Disc { depth, .. } => {
                     let course = Course { depths: [depth; 2], stipple: None };
                     partly(&mut sink, shape, course, multisample, sample);
+                }
+                Shape::Smooth { outline, triangle, ref depth } => {
+                    let outline = (pieces.outline(outline), triangle as usize);
+                    covered_by_outline(&mut sink, outline, depth);
                 }
                 Shape::Bitmap { corner, depth } => {
                     if let Some(of) = &batch.bitmap {

@@ -1,12 +1,15 @@
-//! Smooth points and lines (sections 3.3 and 3.4.2), and points and lines of several samples (sections 3.3.1 and 3.4.4).
+//! Smooth points, lines and polygons (sections 3.3, 3.4.2 and 3.5), and points and lines of several samples (sections 3.3.1 and 3.4.4).
 
 use crate::canvas::{canvas, draw, gl, pixels};
 use luxel_gl::Context;
 
 const POINT_SMOOTH: u32 = 0x0b10;
 const LINE_SMOOTH: u32 = 0x0b20;
+const POLYGON_SMOOTH: u32 = 0x0b41;
 const LINE_STIPPLE: u32 = 0x0b24;
 const SRC_ALPHA: u32 = 0x0302;
+const ONE_MINUS_SRC_ALPHA: u32 = 0x0303;
+const SRC_ALPHA_SATURATE: u32 = 0x0308;
 const ONE: u32 = 1;
 const FRAMEBUFFER: u32 = 0x8d40;
 const RENDERBUFFER: u32 = 0x8d41;
@@ -17,6 +20,7 @@ fn space() -> Context {
     let mut context = canvas(SIDE as u32, SIDE as u32);
     context.enable(POINT_SMOOTH);
     context.enable(LINE_SMOOTH);
+    context.enable(POLYGON_SMOOTH);
     context.enable(gl::BLEND);
     context.blend_func(SRC_ALPHA, ONE);
     context
@@ -131,4 +135,116 @@ fn sections_3_3_1_and_3_4_4_samples_within_the_figures_are_covered() {
         });
         assert!((line - 2.5 * 13.6).abs() < 2.0, "{line}");
     }
+}
+
+/// A pentagon about (8, 8), of that radius, turned a little.
+fn pentagon(radius: f32) -> Vec<[f32; 3]> {
+    let corners = [
+        [0.9553, 0.2955],
+        [0.0142, 0.9999],
+        [-0.9466, 0.3225],
+        [-0.5992, -0.8006],
+        [0.5763, -0.8173],
+    ];
+    corners.map(|[x, y]: [f32; 2]| [8.0 + radius * x, 8.0 + radius * y, 0.0]).to_vec()
+}
+
+/// The area of a polygon.
+fn area(corners: &[[f32; 3]]) -> f64 {
+    let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
+    let doubled: f64 = pairs
+        .map(|(a, b)| f64::from(a[0]) * f64::from(b[1]) - f64::from(b[0]) * f64::from(a[1]))
+        .sum();
+    (doubled / 2.0).abs()
+}
+
+#[test]
+fn section_3_5_alphas_are_the_parts_of_pixels_that_a_polygon_covers() {
+    let mut corners = pentagon(6.5);
+    for turned in [false, true] {
+        let mut context = space();
+        draw(&mut context, gl::POLYGON, &corners);
+        let sum: f64 = parts(&mut context).iter().sum();
+        assert!(
+            (sum - area(&corners)).abs() < 0.2,
+            "{sum} of {}, turned: {turned}",
+            area(&corners)
+        );
+        corners.reverse();
+    }
+    let square = [[2.25, 3.0, 0.0], [12.0, 3.0, 0.0], [12.0, 9.5, 0.0], [2.25, 9.5, 0.0]];
+    let mut context = space();
+    draw(&mut context, gl::QUADS, &square);
+    for (at, part) in parts(&mut context).iter().enumerate() {
+        let (x, y) = (at % SIDE, at / SIDE);
+        let across = if x == 2 { 0.75 } else { f64::from(u8::from((3..12).contains(&x))) };
+        let up = if y == 9 { 0.5 } else { f64::from(u8::from((3..9).contains(&y))) };
+        assert!((part - across * up).abs() < 0.004, "{part} at {x}, {y}");
+    }
+    // Thinner than a pixel.
+    let sliver = [[1.0, 2.0, 0.0], [14.0, 10.2, 0.0], [14.0, 10.6, 0.0]];
+    let mut context = space();
+    draw(&mut context, gl::TRIANGLES, &sliver);
+    let sum: f64 = parts(&mut context).iter().sum();
+    assert!((sum - area(&sliver)).abs() < 0.1, "{sum} of {}", area(&sliver));
+}
+
+#[test]
+fn section_3_5_diagonals_of_a_smooth_polygon_are_seams() {
+    let corners = pentagon(7.0);
+    let drawn = |is_smooth: bool| {
+        let mut context = space();
+        context.blend_func(SRC_ALPHA, ONE_MINUS_SRC_ALPHA);
+        if !is_smooth {
+            context.disable(POLYGON_SMOOTH);
+        }
+        context.enable(gl::DEPTH_TEST);
+        context.begin(gl::POLYGON);
+        for [x, y, _] in &corners {
+            context.color([x / 16.0, y / 16.0, 0.5, 1.0]);
+            context.vertex([*x, *y, x / 16.0, 1.0]);
+        }
+        context.end();
+        (pixels(&mut context), crate::canvas::depths(&mut context))
+    };
+    let ((smooth, depths), (plain, plain_depths)) = (drawn(true), drawn(false));
+    let mut inside = 0;
+    for (at, pixel) in plain.iter().enumerate() {
+        let from_middle = (at % SIDE) as f32 + 0.5 - 8.0;
+        let away = from_middle.hypot((at / SIDE) as f32 + 0.5 - 8.0);
+        if away < 7.0 * 0.8 - 0.72 {
+            inside += 1;
+            assert_eq!((smooth[at], depths[at]), (*pixel, plain_depths[at]), "at {at}");
+        }
+    }
+    assert!(inside > 60);
+}
+
+#[test]
+fn section_3_5_neighbours_add_up_where_alpha_saturates() {
+    let mut context = space();
+    context.clear_color([0.0; 4]);
+    context.clear(gl::COLOR_BUFFER_BIT);
+    context.blend_func(SRC_ALPHA_SATURATE, ONE);
+    let corners = pentagon(7.0);
+    for number in 0..5 {
+        let triangle = [[8.1, 7.7, 0.0], corners[number], corners[(number + 1) % 5]];
+        draw(&mut context, gl::TRIANGLES, &triangle);
+    }
+    let found = parts(&mut context);
+    let sum: f64 = found.iter().sum();
+    assert!((sum - area(&corners)).abs() < 1.0, "{sum} of {}", area(&corners));
+    assert!((4..12).all(|y| (4..12).all(|x| found[y * SIDE + x] > 0.97)), "seams");
+}
+
+#[test]
+fn section_2_11_clipped_smooth_polygons_lose_their_parts() {
+    // Beyond z = 1 from the middle on.
+    let mut context = space();
+    let square = [[2.5, 3.0, 0.0], [13.5, 3.0, -2.0], [13.5, 9.0, -2.0], [2.5, 9.0, 0.0]];
+    draw(&mut context, gl::QUADS, &square);
+    let found = parts(&mut context);
+    let sum: f64 = found.iter().sum();
+    assert!((sum - 5.5 * 6.0).abs() < 0.2, "{sum}");
+    assert!((found[5 * SIDE + 2] - 0.5).abs() < 0.004);
 }
