@@ -59,19 +59,20 @@ pub struct Scene {
     pub nodes: Vec<Index>,
 }
 
+// Many nodes of large files have few of these: what they lack takes a pointer's place.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub struct Node {
     pub name: Option<String>,
-    pub children: Vec<Index>,
+    pub children: Box<[Index]>,
     pub mesh: Option<Index>,
     pub skin: Option<Index>,
     pub camera: Option<Index>,
-    pub weights: Option<Vec<f64>>,
+    pub weights: Option<Box<[f64]>>,
     pub matrix: Option<Box<[f64; 16]>>,
-    pub translation: Option<[f64; 3]>,
-    pub rotation: Option<[f64; 4]>,
-    pub scale: Option<[f64; 3]>,
+    pub translation: Option<Box<[f64; 3]>>,
+    pub rotation: Option<Box<[f64; 4]>>,
+    pub scale: Option<Box<[f64; 3]>>,
     pub extensions: NodeExtensions,
 }
 
@@ -100,7 +101,7 @@ pub struct Instancing {
 pub struct Mesh {
     pub name: Option<String>,
     pub primitives: Vec<Primitive>,
-    pub weights: Option<Vec<f64>>,
+    pub weights: Option<Box<[f64]>>,
 }
 
 #[derive(Debug, Deserialize)]

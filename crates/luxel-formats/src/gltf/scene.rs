@@ -14,6 +14,7 @@ use glam::{DMat4, DVec3};
 use luxel_gltf::{Index, Node as FileNode};
 use luxel_scene::{MeshId, Node, NodeId, Placement, Scene, SceneCamera, SceneLight};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Builds the scene that the document shows.
 pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Scene, Error> {
@@ -31,11 +32,14 @@ pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Sc
         warnings,
     };
     // Nodes come first, so that instances don't shift their numbers.
+    builder.scene.nodes.reserve_exact(tree.shown.len());
     for shown in &tree.shown {
         let file_node = &document.nodes[shown.node as usize];
-        let parent_from_node = tree.parent_from_nodes[shown.node as usize];
-        let node = Node::root(name(buffers, file_node, shown.node), None);
-        builder.scene.nodes.push(node.at(shown.parent.map(NodeId), parent_from_node));
+        builder.scene.nodes.push(Node {
+            parent: shown.parent.map(NodeId),
+            parent_from_node: Arc::clone(&tree.parent_from_nodes[shown.node as usize]),
+            ..Node::root(name(buffers, file_node, shown.node), None)
+        });
     }
     for (place, shown) in tree.shown.iter().enumerate() {
         builder.fill(NodeId(place as u32), shown.node)?;
@@ -137,7 +141,7 @@ impl Builder<'_, '_> {
         }
         let weights = node.weights.as_ref().or(file_mesh.weights.as_ref());
         let pose = Pose {
-            weights: weights.cloned().unwrap_or_default(),
+            weights: weights.map_or_else(Vec::new, |weights| weights.to_vec()),
             joints: match node.skin {
                 Some(skin) => self.joints(skin, index)?,
                 None => None,
@@ -173,7 +177,7 @@ impl Builder<'_, '_> {
             let message = format!("there are {} for {joints} joints", inverse_bind.len());
             return Err(malformed(pointer(), message));
         }
-        let world_from_node = self.tree.world_from_nodes[node as usize];
+        let world_from_node = &self.tree.world_from_nodes[node as usize];
         let node_from_world = world_from_node.inverse();
         if !node_from_world.is_finite() {
             let message = "the skin is left out: the node's transform has no inverse";
@@ -184,7 +188,7 @@ impl Builder<'_, '_> {
         for (place, (&joint, bind)) in skin.joints.iter().zip(&inverse_bind).enumerate() {
             let pointer = || format!("/skins/{number}/joints/{place}");
             item(&document.nodes, joint, "node", &pointer)?;
-            let world_from_joint = self.tree.world_from_nodes[joint as usize];
+            let world_from_joint = *self.tree.world_from_nodes[joint as usize];
             let joint_from_mesh = DMat4::from_cols_array(bind);
             matrices.push(node_from_world * (world_from_joint * joint_from_mesh));
         }

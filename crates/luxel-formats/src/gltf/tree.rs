@@ -5,14 +5,15 @@ use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place};
 use glam::{DMat4, DQuat, DVec3};
 use luxel_gltf::{Document, Index, Node};
+use std::sync::Arc;
 
 /// The document's nodes, checked: each has one parent at most, and none is its own ancestor.
 #[derive(Debug)]
 pub(crate) struct Tree {
-    /// Each node's transform to the world.
-    pub(crate) world_from_nodes: Vec<DMat4>,
-    /// Each node's transform to its parent.
-    pub(crate) parent_from_nodes: Vec<DMat4>,
+    /// Each node's transform to the world; a root's is that to its parent.
+    pub(crate) world_from_nodes: Vec<Arc<DMat4>>,
+    /// Each node's transform to its parent; nodes without one share the identity.
+    pub(crate) parent_from_nodes: Vec<Arc<DMat4>>,
     /// The nodes of the shown scene, parents before children.
     pub(crate) shown: Vec<Shown>,
 }
@@ -40,14 +41,18 @@ impl Tree {
             parents[root as usize] = None;
         }
         let nodes = document.nodes.iter().enumerate();
-        let parent_from_nodes: Vec<DMat4> =
-            nodes.map(|(index, node)| placement(node, index, warnings)).collect();
+        let identity = Arc::new(DMat4::IDENTITY);
+        let shared = |(index, node)| {
+            let placement = placement(node, index, warnings);
+            if placement == *identity { Arc::clone(&identity) } else { Arc::new(placement) }
+        };
+        let parent_from_nodes: Vec<_> = nodes.map(shared).collect();
         let mut world_from_nodes = parent_from_nodes.clone();
         for &node in &order {
             if let Some(parent) = parents[node as usize] {
                 let node = node as usize;
-                world_from_nodes[node] =
-                    world_from_nodes[parent as usize] * parent_from_nodes[node];
+                let parent = &world_from_nodes[parent as usize];
+                world_from_nodes[node] = Arc::new(**parent * *parent_from_nodes[node]);
             }
         }
         let shown = walk(document, &roots, &parents);
@@ -192,10 +197,11 @@ fn walk(document: &Document, roots: &[Index], parents: &[Option<Index>]) -> Vec<
 
 /// From a node to its parent: a matrix, or scale, then rotation, then translation.
 fn placement(node: &Node, index: usize, warnings: &mut Warnings) -> DMat4 {
-    if let Some(matrix) = &node.matrix {
+    let Node { matrix, translation, rotation, scale, .. } = node;
+    if let Some(matrix) = matrix {
         return DMat4::from_cols_array(matrix);
     }
-    let rotation = node.rotation.map_or(DQuat::IDENTITY, DQuat::from_array);
+    let rotation = rotation.as_deref().copied().map_or(DQuat::IDENTITY, DQuat::from_array);
     // Exporters round: few quaternions have exactly unit length.
     let length = rotation.length();
     let rotation = if length > 0.0 && length.is_finite() {
@@ -206,7 +212,7 @@ fn placement(node: &Node, index: usize, warnings: &mut Warnings) -> DMat4 {
         ));
         DQuat::IDENTITY
     };
-    let scale = node.scale.map_or(DVec3::ONE, DVec3::from_array);
-    let translation = node.translation.map_or(DVec3::ZERO, DVec3::from_array);
+    let scale = scale.as_deref().copied().map_or(DVec3::ONE, DVec3::from_array);
+    let translation = translation.as_deref().copied().map_or(DVec3::ZERO, DVec3::from_array);
     DMat4::from_scale_rotation_translation(scale, rotation, translation)
 }
