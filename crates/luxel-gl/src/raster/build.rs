@@ -10,7 +10,7 @@ use crate::enums as gl;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon};
 use crate::vertex::codes;
 use luxel_math::SUBPIXELS;
-use luxel_visibility::{CullFaces, DepthPlane, GUARD_BAND, Triangle, WindowVertex};
+use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
 
 /// Primitives that one thread makes pieces of at a time.
 pub(crate) const PIECES_RUN: usize = 2048;
@@ -200,18 +200,6 @@ impl<'a> PieceBuilder<'a> {
     ) {
         let offset = depth_offset(offset, self.state.scale.kind, largest);
         self.pieces.push(self.batch, shape, shade, offset);
-    }
-
-    /// The pixels of a smooth polygon that one of its triangles colours.
-    pub(super) fn put_smooth(
-        &mut self,
-        outline: (u32, u32),
-        depth: DepthPlane,
-        shade: Shade,
-        offset: Option<[f32; 3]>,
-    ) {
-        let (outline, triangle) = outline;
-        self.put(Shape::Smooth { outline, triangle, depth }, shade, offset, depth.high);
     }
 
     /// Whether pixels have several samples, each of which is covered or not.

@@ -4,6 +4,7 @@ use super::build::PieceBuilder;
 use super::outline::Outline;
 use super::pieces::Shade;
 use super::placement::{area, slope_of};
+use super::shape::Shape;
 use crate::vertex::codes;
 use luxel_visibility::{CullFaces, Triangle, WindowVertex};
 
@@ -61,6 +62,9 @@ impl PieceBuilder<'_> {
         let Some(triangle) = Triangle::new(largest, CullFaces::None) else { return };
         let offset =
             self.state.offsets[2].map(|[factor, units]| [factor, units, slope_of(&triangle)]);
-        self.put_smooth(outline, triangle.depth, shade, offset);
+        let (outline, number) = outline;
+        let depth = triangle.depth;
+        let shape = Shape::Smooth { outline, triangle: number, depth };
+        self.put(shape, shade, offset, depth.high);
     }
 }

@@ -1,4 +1,5 @@
-//! Smooth points, lines and polygons (sections 3.3, 3.4.2 and 3.5), and points and lines of several samples (sections 3.3.1 and 3.4.4).
+//! Smooth points, lines and polygons (sections 3.3, 3.4.2 and 3.5), and points and lines of several samples (sections
+//! 3.3.1 and 3.4.4).
 
 use crate::canvas::{canvas, draw, gl, pixels};
 use luxel_gl::Context;
