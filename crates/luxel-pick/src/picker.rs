@@ -3,7 +3,7 @@
 use luxel_bvh::{Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
 use luxel_parallel::Memo;
-use luxel_rays::{ObjectTree, SceneRays, WorldHit, WorldRay};
+use luxel_rays::{BodyTree, SceneRays, WorldHit, WorldRay};
 use luxel_scene::{CoplanarRanks, Mesh, Object, Scene};
 use std::sync::Arc;
 
@@ -131,11 +131,13 @@ impl Picker {
         self.rays.level()
     }
 
+    /// The mesh of an object's body.
     pub(crate) fn mesh(&self, object: usize) -> &Mesh {
-        self.rays.mesh(object)
+        self.rays.mesh(self.rays.body_of(object))
     }
 
-    pub(crate) fn tree(&self, object: usize) -> ObjectTree<'_> {
-        self.rays.tree(object)
+    /// The tree of an object's body.
+    pub(crate) fn tree(&self, object: usize) -> BodyTree<'_> {
+        self.rays.tree(self.rays.body_of(object))
     }
 }

@@ -12,7 +12,9 @@ use crate::view::PickView;
 use glam::{DMat4, DVec3, DVec4};
 use luxel_bvh::WIDTH;
 use luxel_parallel::{gather, map};
+use luxel_scene::Mesh;
 use luxel_visibility::clip_by_plane;
+use std::ops::Range;
 
 /// The part of an object inside a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,8 +72,8 @@ impl PickView<'_> {
     /// The objects in a region of the window, in order.
     #[must_use]
     pub fn sliver(&self, region: &Region, inclusion: Inclusion) -> Vec<SliverHit> {
-        gather(self.picker.objects().len(), LEAVES_PER_TASK, &|run, hits| {
-            hits.extend(run.filter_map(|object| self.object_hit(object, region, inclusion)));
+        gather(self.picker.rays().bodies(), LEAVES_PER_TASK, &|run, hits| {
+            run.for_each(|body| self.add_hits(body, region, inclusion, hits));
         })
     }
 
@@ -82,13 +84,16 @@ impl PickView<'_> {
     /// If there is no such object.
     #[must_use]
     pub fn triangles_in(&self, object: usize, region: &Region) -> Vec<(u32, [f64; 2])> {
-        let clipper = Clipper::new(self, object, region);
+        let rays = self.picker.rays();
+        let (body, first) = rays.in_body(object, 0);
+        let (mesh, clipper) = (rays.mesh(body), Clipper::new(self, body, region));
+        let own = mesh.range_of(self.picker.objects()[object].section).triangles;
         let mut depths = Vec::new();
-        clipper.frustum.visit_leaves(self.picker.tree(object).bvh, |triangles| {
-            for triangle in triangles {
-                let reach = clipper.triangle(self.picker.mesh(object), *triangle);
+        clipper.frustum.visit_leaves(rays.tree(body).bvh, |triangles| {
+            for triangle in triangles.iter().filter(|triangle| own.contains(triangle)) {
+                let reach = clipper.triangle(mesh, *triangle);
                 if reach.count > 0 {
-                    depths.push((*triangle, [reach.z_min, reach.z_max]));
+                    depths.push((*triangle - first, [reach.z_min, reach.z_max]));
                 }
             }
         });
@@ -96,34 +101,65 @@ impl PickView<'_> {
         depths
     }
 
-    fn object_hit(
+    /// Appends the objects of a body that are in a region.
+    fn add_hits(
         &self,
-        object: usize,
+        body: usize,
         region: &Region,
         inclusion: Inclusion,
-    ) -> Option<SliverHit> {
-        let mesh = self.picker.mesh(object);
-        let clipper = Clipper::new(self, object, region);
+        hits: &mut Vec<SliverHit>,
+    ) {
+        let rays = self.picker.rays();
+        let (mesh, clipper) = (rays.mesh(body), Clipper::new(self, body, region));
         let mut candidates: Vec<u32> = Vec::new();
-        clipper.frustum.visit_leaves(self.picker.tree(object).bvh, |triangles| {
+        clipper.frustum.visit_leaves(rays.tree(body).bvh, |triangles| {
             candidates.extend_from_slice(triangles);
         });
+        let hit = |object, of: &Range<u32>, candidates: &[u32]| {
+            clipper.object_hit((object, mesh, of.len()), candidates, inclusion)
+        };
+        if mesh.sections.is_empty() {
+            let all = 0..mesh.triangles.len() as u32;
+            hits.extend(hit(rays.objects_of(body).start, &all, &candidates));
+            return;
+        }
+        candidates.sort_unstable();
+        let same = |a: &u32, b: &u32| mesh.section_of(*a).0 == mesh.section_of(*b).0;
+        let of_objects: Vec<&[u32]> = candidates.chunk_by(same).collect();
+        hits.extend(gather(of_objects.len(), LEAVES_PER_TASK, &|run, hits| {
+            for candidates in &of_objects[run] {
+                let (object, _) = rays.in_object(body, candidates[0]);
+                let of = mesh.range_of(self.picker.objects()[object].section).triangles;
+                hits.extend(hit(object, &of, candidates));
+            }
+        }));
+    }
+}
+
+impl Clipper<'_> {
+    /// An object of a mesh, which has so many triangles, of which these may reach into the region.
+    fn object_hit(
+        &self,
+        (object, mesh, triangles): (usize, &Mesh, usize),
+        candidates: &[u32],
+        inclusion: Inclusion,
+    ) -> Option<SliverHit> {
         let faces = map(candidates.len(), LEAVES_PER_TASK * WIDTH, &|run| {
             let run = candidates[run].iter();
-            run.fold(EMPTY, |all, &triangle| all.merge(clipper.triangle(mesh, triangle)))
+            run.fold(EMPTY, |all, &triangle| all.merge(self.triangle(mesh, triangle)))
         });
         let faces = faces.into_iter().fold(EMPTY, ClippedDepths::merge);
         let points = mesh.points.iter().flat_map(|points| &points.indices);
         let lines = mesh.lines.iter().flat_map(|lines| &lines.segments);
         let strokes = points
-            .map(|&at| clipper.polygon(&[mesh.position(at)]))
-            .chain(lines.map(|ends| clipper.polygon(&ends.map(|at| mesh.position(at)))))
+            .map(|&at| self.polygon(&[mesh.position(at)]))
+            .chain(lines.map(|ends| self.polygon(&ends.map(|at| mesh.position(at)))))
             .fold(EMPTY, ClippedDepths::merge);
         let all = faces.merge(strokes);
         if inclusion == Inclusion::Enclosed {
             let points = mesh.points.iter().map(|points| points.indices.len()).sum::<usize>();
             let lines = mesh.lines.iter().map(|lines| lines.segments.len()).sum::<usize>();
-            if all.whole != (mesh.triangles.len() + points + lines) as u64 {
+            if all.whole != (triangles + points + lines) as u64 {
                 return None;
             }
         }
@@ -144,7 +180,7 @@ impl ClippedDepths {
     }
 }
 
-/// Clips one object.
+/// Clips one body.
 struct Clipper<'r> {
     region: &'r Region,
     pieces: Vec<Planes>,
@@ -156,9 +192,9 @@ struct Clipper<'r> {
 }
 
 impl<'r> Clipper<'r> {
-    fn new(view: &PickView<'_>, object: usize, region: &'r Region) -> Self {
-        let of = &view.picker.objects()[object];
-        let tree = view.picker.tree(object);
+    fn new(view: &PickView<'_>, body: usize, region: &'r Region) -> Self {
+        let rays = view.picker.rays();
+        let (of, tree) = (&rays.objects()[rays.objects_of(body).start], rays.tree(body));
         let projection = view.camera().projection.clip_from_view(view.size());
         let clip_from_world = projection * view.camera().view_from_world;
         let window = [f64::from(view.size().width), f64::from(view.size().height)];
@@ -174,7 +210,7 @@ impl<'r> Clipper<'r> {
         }
     }
 
-    fn triangle(&self, mesh: &luxel_scene::Mesh, triangle: u32) -> ClippedDepths {
+    fn triangle(&self, mesh: &Mesh, triangle: u32) -> ClippedDepths {
         let corners = mesh.triangles[triangle as usize].map(|vertex| mesh.position(vertex));
         self.polygon(&corners)
     }

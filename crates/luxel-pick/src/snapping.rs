@@ -180,20 +180,26 @@ impl PickView<'_> {
     }
 
     fn nearest_in_polygon(&self, object: usize, triangle: u32, [x, y]: [f64; 2]) -> NearPolygon {
-        let mesh = self.picker.mesh(object);
+        let rays = self.picker.rays();
+        let (body, at) = rays.in_body(object, triangle);
+        let mesh = rays.mesh(body);
+        let own = mesh.range_of(self.picker.objects()[object].section);
+        let (first, first_vertex) = (own.triangles.start, own.positions.start);
         let world_from_mesh = &self.picker.objects()[object].world_from_mesh;
         let place = |vertex: u32| world_from_mesh.transform_point3(mesh.position(vertex));
         let distance = |[px, py]: [f64; 2]| ((px - x) * (px - x) + (py - y) * (py - y)).sqrt();
         // The triangles of a polygon are consecutive.
-        let at = triangle as usize;
+        let at = at as usize;
         let (number, run) = match &mesh.polygons {
             None => (triangle, at..at + 1),
             Some(polygons) => {
+                // A section's polygons are numbered on from those before it.
+                let first = if mesh.sections.is_empty() { 0 } else { polygons[first as usize] };
                 let number = polygons[at];
                 let before =
                     polygons[..at].iter().rev().take_while(|other| **other == number).count();
                 let after = polygons[at..].iter().take_while(|other| **other == number).count();
-                (number, at - before..at + after)
+                (number - first, at - before..at + after)
             }
         };
         // Interior edges belong to two triangles, once in each direction.
@@ -209,7 +215,8 @@ impl PickView<'_> {
             if let Some(window) = self.window_of(position) {
                 let pixels = distance(window);
                 if polygon.vertex.is_none_or(|vertex| pixels < vertex.pixels) {
-                    polygon.vertex = Some(NearVertex { index: from, position, window, pixels });
+                    polygon.vertex =
+                        Some(NearVertex { index: from - first_vertex, position, window, pixels });
                 }
             }
             let ends = [position, place(to)];
@@ -217,7 +224,7 @@ impl PickView<'_> {
                 let pixels = distance(window);
                 if polygon.edge.is_none_or(|edge| pixels < edge.pixels) {
                     let position = ends[0] + (ends[1] - ends[0]) * along;
-                    let vertices = [from, to];
+                    let vertices = [from, to].map(|vertex| vertex - first_vertex);
                     polygon.edge = Some(NearEdge { vertices, position, window, pixels });
                 }
             }

@@ -116,19 +116,19 @@ impl PickView<'_> {
 
     /// The object and the element that a triangle of an instance belongs to.
     pub(crate) fn element_of(&self, number: usize, triangle: u32) -> (usize, Element) {
-        let instance = &self.placed.instances()[number];
-        let Some(strokes) = instance.strokes else {
-            return (instance.objects.start, Element::Triangle(triangle));
-        };
-        let element = self.element(strokes, triangle);
-        let points = &self.picker.mesh(instance.objects.start).points;
+        let (object, in_object) = self.placed.object_of(number, triangle);
+        if let Some(triangle) = in_object {
+            return (object, Element::Triangle(triangle));
+        }
+        let element = self.element(number, triangle);
+        let points = &self.picker.mesh(object).points;
         let points = points.iter().map(|points| points.indices.len()).sum::<usize>() as u32;
         let element = if element < points {
             Element::Point(element)
         } else {
             Element::Line(element - points)
         };
-        (instance.objects.start, element)
+        (object, element)
     }
 
     pub(crate) fn forms(&self, covering: &CoveringTriangle) -> Forms {

@@ -201,8 +201,9 @@ impl<'p> PickView<'p> {
         Geometry { mesh: self.placed.mesh(instance), bvh }
     }
 
-    /// The point or line that a triangle of strokes is part of.
-    pub(crate) fn element(&self, strokes: usize, triangle: u32) -> u32 {
+    /// The point or line that a triangle of an instance of strokes is part of.
+    pub(crate) fn element(&self, number: usize, triangle: u32) -> u32 {
+        let strokes = self.placed.instances()[number].strokes.unwrap_or_default();
         self.placed.strokes()[strokes].elements[triangle as usize / 2]
     }
 

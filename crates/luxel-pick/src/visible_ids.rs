@@ -72,11 +72,11 @@ impl PickView<'_> {
         let all = Mutex::new(Counts::new());
         let of_tile = |owners: &mut dyn Iterator<Item = PixelOwner>| {
             let mut counts = Counts::new();
-            for PixelOwner { pixel: [x, y], instance, .. } in owners {
+            for PixelOwner { pixel: [x, y], instance, triangle } in owners {
                 let PhysicalPosition { x, y } = PhysicalPosition::centre_of(x, y);
                 if region.contains(x, y) {
-                    *counts.entry(self.placed.instances()[instance].objects.start).or_default() +=
-                        1;
+                    let (object, _) = self.element_of(instance, triangle);
+                    *counts.entry(object).or_default() += 1;
                 }
             }
             add_counts(&mut all.lock().unwrap_or_else(PoisonError::into_inner), counts);

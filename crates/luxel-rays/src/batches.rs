@@ -8,7 +8,7 @@ use luxel_parallel::fill;
 /// Rays per task.
 const RUN: usize = 1024;
 
-/// With up to this many objects, all rays of a run are traced against each object; with more, each ray is traced
+/// With up to this many bodies, all rays of a run are traced against each body; with more, each ray is traced
 /// alone.
 ///
 /// A camera's rays through 1, 4, 8, 12 and 32 objects take 0.74, 0.69, 0.71, 1.10 and 1.82 times as long in runs as
@@ -23,19 +23,19 @@ impl SceneRays {
         self.in_runs(
             rays,
             |ray| self.closest(ray),
-            |object, rays, run, hits| {
+            |body, rays, run, hits| {
                 let mut found = vec![None; run.rays.len()];
-                self.rays(object).closest_of_few(&run.rays, &mut found);
+                self.rays(body).closest_of_few(&run.rays, &mut found);
                 // A separate loop overlaps the cache misses of the scattered corners.
                 let triangles = found.iter().flatten().map(|hit| hit.triangle);
                 let corners: Vec<_> =
-                    triangles.map(|triangle| self.local_corners(object, triangle)).collect();
+                    triangles.map(|triangle| self.local_corners(body, triangle)).collect();
                 let found = run.near.iter().zip(&found);
                 let found = found.filter_map(|(near, hit)| Some((near, hit.as_ref()?)));
                 for (((number, near), found), corners) in found.zip(corners) {
                     let hit = &mut hits[*number];
-                    // Ties keep the first object's hit.
-                    if let Some(new) = self.refined_on(corners, &rays[*number], object, near, found)
+                    // Ties keep the first body's hit.
+                    if let Some(new) = self.refined_on(corners, &rays[*number], body, near, found)
                         && hit.is_none_or(|hit| new.t < hit.t)
                     {
                         *hit = Some(new);
@@ -52,9 +52,9 @@ impl SceneRays {
         self.in_runs(
             rays,
             |ray| self.any(ray),
-            |object, _, run, hits| {
+            |body, _, run, hits| {
                 let mut found = vec![false; run.rays.len()];
-                self.rays(object).any_of_few(&run.rays, &mut found);
+                self.rays(body).any_of_few(&run.rays, &mut found);
                 for ((number, _), found) in run.near.iter().zip(found) {
                     hits[*number] |= found;
                 }
@@ -62,8 +62,8 @@ impl SceneRays {
         )
     }
 
-    /// The answer for each ray. Among many objects `alone` computes it; otherwise `against` updates the answers of a
-    /// run for one object after the other.
+    /// The answer for each ray. Among many bodies `alone` computes it; otherwise `against` updates the answers of a
+    /// run for one body after the other.
     fn in_runs<T: Clone + Default + Send>(
         &self,
         rays: &[WorldRay],
@@ -73,37 +73,37 @@ impl SceneRays {
         let mut answers = vec![T::default(); rays.len()];
         fill(&mut answers, RUN, &|start, answers| {
             let rays = &rays[start..start + answers.len()];
-            if self.objects().len() > FEW {
+            if self.bodies() > FEW {
                 for (answer, ray) in answers.iter_mut().zip(rays) {
                     *answer = alone(ray);
                 }
                 return;
             }
             let mut run = Run::default();
-            for object in 0..self.objects().len() {
-                run.collect(self, rays, object);
-                against(object, rays, &run, answers);
+            for body in 0..self.bodies() {
+                run.collect(self, rays, body);
+                against(body, rays, &run, answers);
             }
         });
         answers
     }
 }
 
-/// The rays of a run that come near one object.
+/// The rays of a run that come near one body.
 #[derive(Default)]
 struct Run {
-    /// In the coordinates of the object's tree.
+    /// In the coordinates of the body's tree.
     rays: Vec<Ray>,
     /// The index of each ray within the run, and the ray with its mapping back to world space.
     near: Vec<(usize, RebasedRay)>,
 }
 
 impl Run {
-    /// Replaces the contents by the rays near `object`.
-    fn collect(&mut self, scene: &SceneRays, rays: &[WorldRay], object: usize) {
+    /// Replaces the contents by the rays near a body.
+    fn collect(&mut self, scene: &SceneRays, rays: &[WorldRay], body: usize) {
         self.rays.clear();
         self.near.clear();
-        let tree = scene.tree(object);
+        let tree = scene.tree(body);
         let Some(bounds) = tree.bvh.bounds() else { return };
         let sphere = centre_and_radius(bounds);
         for (number, ray) in rays.iter().enumerate().filter(|(_, ray)| ray.is_valid()) {

@@ -15,8 +15,9 @@
 #![forbid(unsafe_code)]
 
 mod batches;
+mod bodies;
+mod body_tree;
 mod memory;
-mod object_tree;
 mod queries;
 mod ray_lanes;
 mod scene_rays;
@@ -25,8 +26,8 @@ mod terminator_offset;
 mod transmittance;
 mod world_ray;
 
+pub use body_tree::BodyTree;
 pub use luxel_bvh::{Quality, TooManyForTree};
-pub use object_tree::ObjectTree;
 pub use ray_lanes::{RayLanes, Spread};
 pub use scene_rays::{MeshTrees, SceneRays};
 pub use surface_place::{LIFT, PlaceLanes, SurfacePlace, TrianglePlaces};

@@ -1,9 +1,10 @@
 //! What preparing a scene for rays will take.
 
-use crate::object_tree::{PlacedTree, Placement};
+use crate::bodies::Bodies;
+use crate::body_tree::{PlacedTree, Placement};
 use crate::scene_rays::SceneRays;
 use luxel_bvh::{Bvh, Quality};
-use luxel_scene::{Mesh, Object, Part, Scene};
+use luxel_scene::{Mesh, Object, Part, Scene, bodies};
 
 impl SceneRays {
     /// An upper bound of the memory that [`SceneRays::of_objects`] takes beside the scene, in bytes,
@@ -11,27 +12,41 @@ impl SceneRays {
     #[must_use]
     pub fn bytes_needed(scene: &Scene, objects: &[Object], quality: Quality) -> u64 {
         let of_tree = |triangles| quality.bytes_needed(triangles) as u64 + size_of::<Bvh>() as u64;
-        let has_sections = scene.has_sections();
+        let is_separated = !Bodies::are_traceable(scene, objects);
         let of_mesh = |mesh: &Mesh| {
+            if !is_separated {
+                return of_tree(mesh.triangles.len());
+            }
             // A section's mesh gets a tree of its own, and is a copy.
             let more = mesh.sections.len().saturating_sub(1) as u64 * of_tree(0);
-            let copy = if has_sections { bytes_of(mesh) } else { 0 };
-            of_tree(mesh.triangles.len()) + more + copy
+            of_tree(mesh.triangles.len()) + more + bytes_of(mesh)
         };
-        let of_object = |object: &Object| {
+        // The tree of a body with these triangles and positions, if it has one of its own, and its place in the tree
+        // over all bodies, with its box.
+        let of_body = |object: &Object, triangles: usize, positions: usize| {
             let mesh = &scene.meshes[object.mesh.index()];
-            let placed = (size_of::<PlacedTree>() + size_of::<Object>()) as u64;
+            let placed = size_of::<PlacedTree>() as u64 + 80;
             if !Placement::of(mesh, object).is_baked() {
                 return placed;
             }
-            let own = mesh.range_of(object.section);
-            let positions = (size_of::<[f32; 3]>() * own.positions.len()) as u64;
-            placed + of_tree(own.triangles.len()) + positions
+            placed + of_tree(triangles) + (size_of::<[f32; 3]>() * positions) as u64
         };
-        scene.meshes.iter().map(of_mesh).sum::<u64>()
-            + objects.iter().map(of_object).sum::<u64>()
-            // The tree over all objects, and their boxes.
-            + of_tree(objects.len()) + 80 * objects.len() as u64
+        let of_object = |object: &Object| {
+            let own = scene.meshes[object.mesh.index()].range_of(object.section);
+            of_body(object, own.triangles.len(), own.positions.len())
+        };
+        let of_whole = |object: &Object| {
+            let mesh = &scene.meshes[object.mesh.index()];
+            of_body(object, mesh.triangles.len(), mesh.positions.len())
+        };
+        let (bodies, count) = if is_separated {
+            (objects.iter().map(of_object).sum::<u64>(), objects.len())
+        } else {
+            let firsts = bodies(objects).map(|body| &objects[body.start]);
+            firsts.map(of_whole).fold((0, 0), |(sum, count), bytes| (sum + bytes, count + 1))
+        };
+        let meshes = scene.meshes.iter().map(of_mesh).sum::<u64>();
+        meshes + bodies + of_tree(count) + size_of_val(objects) as u64
     }
 }
 

@@ -1,4 +1,4 @@
-//! World-space rays through two levels: a tree over the objects' boxes, and the trees of their meshes.
+//! World-space rays through two levels: a tree over the bodies' boxes, and the trees of their meshes.
 //!
 //! World space is `f64`, trees are `f32`. Each ray is moved close to a box and traced there in `f32`; the
 //! hit is then refined in `f64` on the triangle's plane.
@@ -27,8 +27,8 @@ impl SceneRays {
     #[must_use]
     pub fn closest(&self, ray: &WorldRay) -> Option<WorldHit> {
         let mut best: Option<WorldHit> = None;
-        self.each_object(ray, |object, farthest| {
-            let hit = self.ray_to_object(ray, object, |near| self.rays(object).closest(&near.ray));
+        self.each_body(ray, |body, farthest| {
+            let hit = self.ray_to_body(ray, body, |near| self.rays(body).closest(&near.ray));
             if let Some(hit) = hit
                 && best.is_none_or(|best| (hit.t, hit.object) < (best.t, best.object))
             {
@@ -44,11 +44,9 @@ impl SceneRays {
     #[must_use]
     pub fn any(&self, ray: &WorldRay) -> bool {
         let mut any = false;
-        self.each_object(ray, |object, farthest| {
+        self.each_body(ray, |body, farthest| {
             any = any
-                || self
-                    .rebased_ray(ray, object)
-                    .is_some_and(|near| self.rays(object).any(&near.ray));
+                || self.rebased_ray(ray, body).is_some_and(|near| self.rays(body).any(&near.ray));
             if any { f64::NEG_INFINITY } else { farthest }
         });
         any
@@ -58,10 +56,10 @@ impl SceneRays {
     #[must_use]
     pub fn all(&self, ray: &WorldRay) -> Vec<WorldHit> {
         let mut hits = Vec::new();
-        self.each_object(ray, |object, farthest| {
-            if let Some(near) = self.rebased_ray(ray, object) {
-                let own = self.rays(object).all(&near.ray);
-                hits.extend(own.iter().filter_map(|hit| self.refined(ray, object, &near, hit)));
+        self.each_body(ray, |body, farthest| {
+            if let Some(near) = self.rebased_ray(ray, body) {
+                let own = self.rays(body).all(&near.ray);
+                hits.extend(own.iter().filter_map(|hit| self.refined(ray, body, &near, hit)));
             }
             farthest
         });
@@ -71,12 +69,12 @@ impl SceneRays {
         hits
     }
 
-    /// Visits the objects whose boxes a ray hits, near ones first; `visit` returns the farthest t that
+    /// Visits the bodies whose boxes a ray hits, near ones first; `visit` returns the farthest t that
     /// still counts.
-    pub(crate) fn each_object(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
+    pub(crate) fn each_body(&self, ray: &WorldRay, mut visit: impl FnMut(usize, f64) -> f64) {
         let Some(bounds) = self.top.bounds().filter(|_| ray.is_valid()) else { return };
-        if self.objects().len() == 1 {
-            // The object's own tree tests the same box.
+        if self.bodies() == 1 {
+            // The body's own tree tests the same box.
             visit(0, ray.range[1]);
             return;
         }
@@ -85,21 +83,21 @@ impl SceneRays {
         // Slightly beyond `farthest`: distances in f32 and f64 differ by rounding.
         let within = |t: f64| ((t - near.start) / near.scale * (1.0 + 1e-5)) as f32;
         let mut farthest = ray.range[1];
-        self.top.visit_along(self.level, &near.ray, |object| {
-            farthest = visit(object as usize, farthest);
+        self.top.visit_along(self.level, &near.ray, |body| {
+            farthest = visit(body as usize, farthest);
             within(farthest).next_up()
         });
     }
 
-    /// Visits the objects whose boxes any of some rays may hit: all of those that a line hits which is as
+    /// Visits the bodies whose boxes any of some rays may hit: all of those that a line hits which is as
     /// thick as the rays spread. Returns whether they share a way; otherwise it visits none.
-    pub(crate) fn each_object_near(
+    pub(crate) fn each_body_near(
         &self,
         rays: impl Iterator<Item = WorldRay>,
         mut visit: impl FnMut(usize),
     ) -> bool {
         let Some(bounds) = self.top.bounds() else { return true };
-        if self.objects().len() == 1 {
+        if self.bodies() == 1 {
             visit(0);
             return true;
         }
@@ -145,15 +143,15 @@ impl SceneRays {
             f32s(reach),
             f32s(growth),
         );
-        self.top.visit_within(self.level, &line, farthest, |object| visit(object as usize));
+        self.top.visit_within(self.level, &line, farthest, |body| visit(body as usize));
         true
     }
 
-    /// Collects the objects whose boxes meet the box around all of some rays: all that any of them may hit.
-    pub(crate) fn objects_around(&self, rays: &[RayLanes], objects: &mut Vec<usize>) {
-        objects.clear();
-        if self.objects().len() == 1 {
-            objects.push(0);
+    /// Collects the bodies whose boxes meet the box around all of some rays: all that any of them may hit.
+    pub(crate) fn bodies_around(&self, rays: &[RayLanes], bodies: &mut Vec<usize>) {
+        bodies.clear();
+        if self.bodies() == 1 {
+            bodies.push(0);
             return;
         }
         let Some(bounds) = self.top.bounds() else { return };
@@ -183,25 +181,25 @@ impl SceneRays {
         // A line so short that only its thickness counts.
         let origin = middle.as_vec3().to_array();
         let around = SlabTest::widening(origin, [1.0; 3], [0.0; 2], largest, f32s(reach), [0.0; 3]);
-        self.top.visit_within(self.level, &around, 0.0, |object| objects.push(object as usize));
+        self.top.visit_within(self.level, &around, 0.0, |body| bodies.push(body as usize));
     }
 
-    /// A ray in the coordinates of an object's tree.
-    pub(crate) fn rebased_ray(&self, ray: &WorldRay, object: usize) -> Option<RebasedRay> {
-        let tree = self.tree(object);
+    /// A ray in the coordinates of a body's tree.
+    pub(crate) fn rebased_ray(&self, ray: &WorldRay, body: usize) -> Option<RebasedRay> {
+        let tree = self.tree(body);
         let origin = tree.tree_from_world.transform_point3(ray.origin);
         let direction = tree.tree_from_world.transform_vector3(ray.direction);
         RebasedRay::new(origin, direction, ray.range, tree.bvh.bounds()?)
     }
 
-    fn ray_to_object(
+    fn ray_to_body(
         &self,
         ray: &WorldRay,
-        object: usize,
+        body: usize,
         trace: impl Fn(&RebasedRay) -> Option<RayHit>,
     ) -> Option<WorldHit> {
-        let near = self.rebased_ray(ray, object)?;
-        self.refined(ray, object, &near, &trace(&near)?)
+        let near = self.rebased_ray(ray, body)?;
+        self.refined(ray, body, &near, &trace(&near)?)
     }
 
     /// Refines a hit in `f64`, on the triangle's plane. A triangle seen edge-on keeps the result of
@@ -209,17 +207,17 @@ impl SceneRays {
     fn refined(
         &self,
         ray: &WorldRay,
-        object: usize,
+        body: usize,
         near: &RebasedRay,
         hit: &RayHit,
     ) -> Option<WorldHit> {
-        self.refined_on(self.local_corners(object, hit.triangle), ray, object, near, hit)
+        self.refined_on(self.local_corners(body, hit.triangle), ray, body, near, hit)
     }
 
     /// The corners of a triangle, in its mesh's own space.
     #[inline]
-    pub(crate) fn local_corners(&self, object: usize, triangle: u32) -> [DVec3; 3] {
-        let mesh = self.mesh(object);
+    pub(crate) fn local_corners(&self, body: usize, triangle: u32) -> [DVec3; 3] {
+        let mesh = self.mesh(body);
         mesh.triangles[triangle as usize].map(|vertex| mesh.position(vertex))
     }
 
@@ -228,11 +226,11 @@ impl SceneRays {
         &self,
         corners: [DVec3; 3],
         ray: &WorldRay,
-        object: usize,
+        body: usize,
         near: &RebasedRay,
         hit: &RayHit,
     ) -> Option<WorldHit> {
-        let world_from_mesh = &self.objects()[object].world_from_mesh;
+        let world_from_mesh = &self.bodies.object(body).world_from_mesh;
         let [a, b, c] = corners.map(|corner| world_from_mesh.transform_point3(corner));
         let rough = near.start + near.scale * f64::from(hit.t);
         let (ab, ac) = (b - a, c - a);
@@ -255,12 +253,9 @@ impl SceneRays {
         };
         let [u, v, w] = barycentric;
         let position = a * u + b * v + c * w;
-        (ray.range[0] <= t && t <= ray.range[1]).then_some(WorldHit {
-            t,
-            object,
-            triangle: hit.triangle,
-            barycentric,
-            position,
+        (ray.range[0] <= t && t <= ray.range[1]).then(|| {
+            let (object, triangle) = self.in_object(body, hit.triangle);
+            WorldHit { t, object, triangle, barycentric, position }
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Sixteen rays side by side, and their way into the coordinates of a tree.
 
-use crate::object_tree::ObjectTree;
+use crate::body_tree::BodyTree;
 use crate::surface_place::dot;
 use crate::world_ray::WorldRay;
 use glam::{DMat4, DVec3, DVec4};
@@ -76,7 +76,7 @@ impl RayLanes {
     pub(crate) fn rebased<S: Simd>(
         &self,
         simd: S,
-        tree: &ObjectTree<'_>,
+        tree: &BodyTree<'_>,
         (centre, radius): (DVec3, f64),
     ) -> ([f32x16<S>; 8], [u32; 2]) {
         let simd = f32x16::splat(simd, 0.0);

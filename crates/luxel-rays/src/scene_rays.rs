@@ -1,26 +1,29 @@
-//! A scene prepared for rays: a tree per mesh, and one over all objects.
+//! A scene prepared for rays: a tree per mesh, and one over all bodies.
 
-use crate::object_tree::{ObjectTree, PlacedTree};
+use crate::bodies::{Bodies, opaque_parts};
+use crate::body_tree::{BodyTree, PlacedTree};
 use crate::world_ray::centre_and_radius;
 use glam::DVec3;
 use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel};
 use luxel_parallel::map;
-use luxel_scene::{AlphaMode, Mesh, Object, Part, Scene};
+use luxel_scene::{Mesh, Object, Scene};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A scene prepared for world-space rays. It shares the scene: a program can keep both.
 pub struct SceneRays {
     scene: Arc<Scene>,
-    objects: Vec<Object>,
+    pub(crate) bodies: Bodies,
     pub(crate) level: Level,
     trees: MeshTrees,
+    /// The trees of the bodies.
     placed: Vec<PlacedTree>,
-    /// The spheres around the objects' trees, in their coordinates; `None` for trees over nothing.
+    /// The spheres around the bodies' trees, in their coordinates; `None` for trees over nothing.
     spheres: Vec<Option<(DVec3, f64)>>,
     /// Whether nothing shines through a mesh.
     opaque_meshes: Vec<bool>,
-    /// The tree over the objects' boxes, relative to `middle`.
+    /// The tree over the bodies' boxes, relative to `middle`.
     pub(crate) top: BoxTree,
     pub(crate) middle: DVec3,
 }
@@ -67,9 +70,10 @@ fn is_valid([low, high]: &[DVec3; 2]) -> bool {
     low.cmple(*high).all() && low.is_finite() && high.is_finite()
 }
 
-/// A scene with a mesh for every object, and these objects in it.
-fn separated(scene: Arc<Scene>, objects: Vec<Object>) -> (Arc<Scene>, Vec<Object>) {
-    if !scene.has_sections() {
+/// A scene in which bodies can be traced as one, and these objects in it: with a mesh for every object, if the scene
+/// itself is none.
+fn traceable(scene: Arc<Scene>, objects: Vec<Object>) -> (Arc<Scene>, Vec<Object>) {
+    if Bodies::are_traceable(&scene, &objects) {
         return (scene, objects);
     }
     let separate = scene.separated().into_owned();
@@ -103,7 +107,8 @@ impl SceneRays {
 
     /// [`SceneRays::with`], for some of the scene's objects only: hits number these.
     ///
-    /// Objects that share a mesh get meshes of their own first, in a copy of the scene.
+    /// Where objects share a mesh of which others are left out, or of which only a part is opaque, all get meshes of
+    /// their own first, in a copy of the scene.
     ///
     /// # Errors
     /// [`TooManyForTree`] if a mesh has too many triangles.
@@ -113,7 +118,7 @@ impl SceneRays {
         quality: Quality,
         level: Level,
     ) -> Result<Self, TooManyForTree> {
-        let (scene, objects) = separated(scene, objects);
+        let (scene, objects) = traceable(scene, objects);
         let trees = MeshTrees::build(&scene, quality)?;
         Self::placed(trees, scene, objects, level)
     }
@@ -130,7 +135,7 @@ impl SceneRays {
         objects: Vec<Object>,
         level: Level,
     ) -> Result<Self, TooManyForTree> {
-        let (scene, objects) = separated(scene, objects);
+        let (scene, objects) = traceable(scene, objects);
         let quality = trees.quality;
         let trees = if trees.are_of(&scene) { trees } else { MeshTrees::build(&scene, quality)? };
         Self::placed(trees, scene, objects, level)
@@ -150,17 +155,16 @@ impl SceneRays {
         level: Level,
     ) -> Result<Self, TooManyForTree> {
         let quality = trees.quality;
-        let is_opaque =
-            |part: &Part| scene.materials[part.material.index()].alpha_mode == AlphaMode::Opaque;
         let opaque_meshes =
-            scene.meshes.iter().map(|mesh| mesh.parts.iter().all(is_opaque)).collect();
-        let placed = map(objects.len(), 1, &|run| {
-            Some(PlacedTree::new(&scene, &objects[run.start], quality))
+            scene.meshes.iter().map(|mesh| opaque_parts(&scene, mesh).all(|is| is)).collect();
+        let bodies = Bodies::new(objects);
+        let placed = map(bodies.len(), 1, &|run| {
+            Some(PlacedTree::new(&scene, bodies.object(run.start), quality))
         });
         let placed = placed.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
         let mut rays = Self {
             scene,
-            objects,
+            bodies,
             level,
             trees,
             placed,
@@ -169,10 +173,10 @@ impl SceneRays {
             top: BoxTree::default(),
             middle: DVec3::ZERO,
         };
-        let sphere = |object| rays.tree(object).bvh.bounds().map(centre_and_radius);
-        rays.spheres = (0..rays.objects.len()).map(sphere).collect();
+        let sphere = |body| rays.tree(body).bvh.bounds().map(centre_and_radius);
+        rays.spheres = (0..rays.bodies.len()).map(sphere).collect();
         let boxes: Vec<[DVec3; 2]> =
-            (0..rays.objects.len()).map(|object| rays.tree(object).world_box()).collect();
+            (0..rays.bodies.len()).map(|body| rays.tree(body).world_box()).collect();
         let all = boxes
             .iter()
             .filter(|bounds| is_valid(bounds))
@@ -198,7 +202,53 @@ impl SceneRays {
     /// The objects; hits give their indices.
     #[must_use]
     pub fn objects(&self) -> &[Object] {
-        &self.objects
+        self.bodies.objects()
+    }
+
+    /// How many bodies there are: an object each, or all that share a mesh as its [sections](Mesh::sections).
+    #[must_use]
+    pub fn bodies(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// The objects of a body, which follow one another.
+    ///
+    /// # Panics
+    /// If there is no such body.
+    #[must_use]
+    pub fn objects_of(&self, body: usize) -> Range<usize> {
+        self.bodies.objects_of(body)
+    }
+
+    /// The body of an object.
+    #[must_use]
+    pub fn body_of(&self, object: usize) -> usize {
+        self.bodies.body_of(object)
+    }
+
+    /// The body of an object, and the place in the body's mesh of the object's triangle.
+    ///
+    /// # Panics
+    /// If there is no such object.
+    #[must_use]
+    pub fn in_body(&self, object: usize, triangle: u32) -> (usize, u32) {
+        let body = self.bodies.body_of(object);
+        let mesh = self.mesh(body);
+        if mesh.sections.is_empty() {
+            return (body, triangle);
+        }
+        let section = self.bodies.objects()[object].section;
+        (body, mesh.range_of(section).triangles.start + triangle)
+    }
+
+    /// The object of a triangle of a body's mesh, and the triangle's number in the object.
+    ///
+    /// # Panics
+    /// If there is no such body.
+    #[must_use]
+    pub fn in_object(&self, body: usize, triangle: u32) -> (usize, u32) {
+        let (section, triangle) = self.mesh(body).section_of(triangle);
+        (self.bodies.objects_of(body).start + section as usize, triangle)
     }
 
     /// The memory of the trees, in bytes, without the scene.
@@ -220,26 +270,32 @@ impl SceneRays {
         self.level
     }
 
-    /// The mesh of an object.
+    /// The mesh of a body.
+    ///
+    /// # Panics
+    /// If there is no such body.
     #[must_use]
-    pub fn mesh(&self, object: usize) -> &Mesh {
-        &self.scene.meshes[self.objects[object].mesh.index()]
+    pub fn mesh(&self, body: usize) -> &Mesh {
+        &self.scene.meshes[self.bodies.object(body).mesh.index()]
     }
 
-    /// Whether nothing shines through an object.
-    pub(crate) fn is_opaque(&self, object: usize) -> bool {
-        self.opaque_meshes[self.objects[object].mesh.index()]
+    /// Whether nothing shines through a body.
+    pub(crate) fn is_opaque(&self, body: usize) -> bool {
+        self.opaque_meshes[self.bodies.object(body).mesh.index()]
     }
 
-    /// The tree of an object.
+    /// The tree of a body.
+    ///
+    /// # Panics
+    /// If there is no such body.
     #[must_use]
-    pub fn tree(&self, object: usize) -> ObjectTree<'_> {
-        let placed = &self.placed[object];
+    pub fn tree(&self, body: usize) -> BodyTree<'_> {
+        let placed = &self.placed[body];
         let (bvh, positions) = match &placed.baked {
             Some(baked) => (&baked.bvh, &baked.positions),
             None => (&self.trees.bvhs[placed.mesh], &self.scene.meshes[placed.mesh].positions),
         };
-        ObjectTree {
+        BodyTree {
             bvh,
             positions,
             world_from_tree: &placed.world_from_tree,
@@ -248,13 +304,13 @@ impl SceneRays {
         }
     }
 
-    /// The sphere around the tree of an object; `None` for a tree over nothing.
-    pub(crate) fn sphere(&self, object: usize) -> Option<(DVec3, f64)> {
-        self.spheres[object]
+    /// The sphere around the tree of a body; `None` for a tree over nothing.
+    pub(crate) fn sphere(&self, body: usize) -> Option<(DVec3, f64)> {
+        self.spheres[body]
     }
 
-    pub(crate) fn rays(&self, object: usize) -> MeshRays<'_> {
-        let tree = self.tree(object);
+    pub(crate) fn rays(&self, body: usize) -> MeshRays<'_> {
+        let tree = self.tree(body);
         MeshRays::with_level(tree.bvh, tree.positions, self.level)
     }
 }

@@ -95,8 +95,9 @@ impl SceneRays {
     /// # Panics
     /// If there is no such object or triangle.
     pub fn places_into(&self, object: usize, triangle: u32, places: &mut TrianglePlaces) -> bool {
-        let tree = self.tree(object);
-        let corners = self.mesh(object).triangles[triangle as usize].map(|vertex| {
+        let (body, triangle) = self.in_body(object, triangle);
+        let tree = self.tree(body);
+        let corners = self.mesh(body).triangles[triangle as usize].map(|vertex| {
             let [x, y, z] = tree.positions[vertex as usize];
             DVec3::new(x.into(), y.into(), z.into())
         });

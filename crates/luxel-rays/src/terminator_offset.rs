@@ -27,10 +27,11 @@ impl SceneRays {
         barycentric: [f32; 3],
         place: &SurfacePlace,
     ) -> DVec3 {
-        let mesh = self.mesh(object);
+        let (body, triangle) = self.in_body(object, triangle);
+        let mesh = self.mesh(body);
         let corners = mesh.triangles[triangle as usize];
         let attributes = mesh.attribute_corners()[triangle as usize];
-        let tree = self.tree(object);
+        let tree = self.tree(body);
         let world_from_mesh = DMat3::from_mat4(*self.objects()[object].world_from_mesh);
         let turned = world_from_mesh.inverse().transpose();
         let mut offset = DVec3::ZERO;

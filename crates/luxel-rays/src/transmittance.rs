@@ -1,6 +1,6 @@
 //! How much light comes along a ray.
 
-use crate::object_tree::ObjectTree;
+use crate::body_tree::BodyTree;
 use crate::ray_lanes::{RayLanes, Spread};
 use crate::scene_rays::SceneRays;
 use crate::world_ray::WorldRay;
@@ -17,7 +17,7 @@ thread_local! {
 /// What [`SceneRays::transmittance_of_lanes`] keeps from call to call.
 #[derive(Default)]
 struct Batch {
-    /// The rays near one object, their places among all, and which of them are blocked.
+    /// The rays near one body, their places among all, and which of them are blocked.
     columns: Vec<RayColumns>,
     numbers: Vec<u32>,
     blocked: Vec<u32>,
@@ -25,11 +25,11 @@ struct Batch {
     near: Vec<Ray>,
     lanes: Vec<u32>,
     hits: Vec<bool>,
-    /// The objects near rays that go all ways.
-    objects: Vec<usize>,
+    /// The bodies near rays that go all ways.
+    bodies: Vec<usize>,
 }
 
-/// Up to so many objects are each asked for all rays that go all ways; among more, each ray finds its own.
+/// Up to so many bodies are each asked for all rays that go all ways; among more, each ray finds its own.
 const FEW: usize = 8;
 
 /// A surface in the way of a ray.
@@ -37,7 +37,7 @@ const FEW: usize = 8;
 pub struct Blocker {
     /// The object, by its index in [`SceneRays::objects`].
     pub object: usize,
-    /// The triangle's index in the object's mesh.
+    /// The triangle's number in the object.
     pub triangle: u32,
     /// The distance along the ray, in units of the direction's length.
     pub t: f64,
@@ -54,17 +54,17 @@ impl SceneRays {
     pub fn transmittance(&self, ray: &WorldRay) -> f32 {
         let mut is_blocked = false;
         let mut weakening = Vec::new();
-        self.each_object(ray, |object, farthest| {
-            let Some(near) = self.rebased_ray(ray, object).filter(|_| !is_blocked) else {
+        self.each_body(ray, |body, farthest| {
+            let Some(near) = self.rebased_ray(ray, body).filter(|_| !is_blocked) else {
                 return farthest;
             };
-            if self.is_opaque(object) {
-                is_blocked = self.rays(object).any(&near.ray);
+            if self.is_opaque(body) {
+                is_blocked = self.rays(body).any(&near.ray);
             } else {
                 let before = weakening.len();
-                let hits = self.rays(object).all(&near.ray);
+                let hits = self.rays(body).all(&near.ray);
                 weakening.extend(hits.iter().filter_map(|hit| {
-                    self.blocker(object, near.start + near.scale * f64::from(hit.t), hit)
+                    self.blocker(body, near.start + near.scale * f64::from(hit.t), hit)
                 }));
                 is_blocked = weakening[before..].iter().any(|blocker| blocker.alpha >= 1.0);
             }
@@ -92,23 +92,23 @@ impl SceneRays {
         through.fill([1.0; LANES]);
         BATCH.with_borrow_mut(|batch| {
             let of = (rays, spread);
-            if self.objects().len() == 1 {
+            if self.bodies() == 1 {
                 self.take_light(0, of, through, batch);
                 return;
             }
             let is_shared = match spread {
                 Spread::Narrow => {
                     let all = rays.iter().flat_map(RayLanes::rays);
-                    self.each_object_near(all, |object| self.take_light(object, of, through, batch))
+                    self.each_body_near(all, |body| self.take_light(body, of, through, batch))
                 }
                 Spread::Wide => {
-                    let mut objects = std::mem::take(&mut batch.objects);
-                    self.objects_around(rays, &mut objects);
-                    let is_few = objects.len() <= FEW;
-                    for &object in objects.iter().filter(|_| is_few) {
-                        self.take_light(object, of, through, batch);
+                    let mut bodies = std::mem::take(&mut batch.bodies);
+                    self.bodies_around(rays, &mut bodies);
+                    let is_few = bodies.len() <= FEW;
+                    for &body in bodies.iter().filter(|_| is_few) {
+                        self.take_light(body, of, through, batch);
                     }
-                    batch.objects = objects;
+                    batch.bodies = bodies;
                     is_few
                 }
             };
@@ -122,26 +122,26 @@ impl SceneRays {
         });
     }
 
-    /// What an object leaves of the light along rays.
+    /// What a body leaves of the light along rays.
     fn take_light(
         &self,
-        object: usize,
+        body: usize,
         (rays, spread): (&[RayLanes], Spread),
         through: &mut [[f32; LANES]],
         Batch { columns, numbers, blocked, near, lanes, hits, .. }: &mut Batch,
     ) {
-        let tree = self.tree(object);
-        let Some(sphere) = self.sphere(object) else { return };
+        let tree = self.tree(body);
+        let Some(sphere) = self.sphere(body) else { return };
         columns.clear();
         numbers.clear();
-        dispatch_long!(self.level, simd => near_columns(simd, self, (object, &tree, sphere), (rays, through), (columns, numbers)));
-        let is_opaque = self.is_opaque(object);
+        dispatch_long!(self.level, simd => near_columns(simd, self, (body, &tree, sphere), (rays, through), (columns, numbers)));
+        let is_opaque = self.is_opaque(body);
         if is_opaque && spread == Spread::Wide {
             near.clear();
             lanes.clear();
             dispatch_long!(self.level, simd => rows_of(simd, (columns, numbers), (near, lanes)));
             hits.resize(near.len(), false);
-            self.rays(object).any_of_incoherent(near, hits);
+            self.rays(body).any_of_incoherent(near, hits);
             for (&lane, is_hit) in lanes.iter().zip(&*hits) {
                 if *is_hit {
                     through[lane as usize / LANES][lane as usize % LANES] = 0.0;
@@ -151,7 +151,7 @@ impl SceneRays {
         }
         if is_opaque {
             blocked.resize(columns.len(), 0);
-            self.rays(object).any_of_columns(columns, blocked);
+            self.rays(body).any_of_columns(columns, blocked);
             for (&number, blocked) in numbers.iter().zip(&*blocked) {
                 for lane in lanes_of(*blocked) {
                     through[number as usize][lane] = 0.0;
@@ -172,11 +172,11 @@ impl SceneRays {
     #[must_use]
     pub fn blockers(&self, ray: &WorldRay) -> Vec<Blocker> {
         let mut blockers = Vec::new();
-        self.each_object(ray, |object, farthest| {
-            if let Some(near) = self.rebased_ray(ray, object) {
-                let hits = self.rays(object).all(&near.ray);
+        self.each_body(ray, |body, farthest| {
+            if let Some(near) = self.rebased_ray(ray, body) {
+                let hits = self.rays(body).all(&near.ray);
                 blockers.extend(hits.iter().filter_map(|hit| {
-                    self.blocker(object, near.start + near.scale * f64::from(hit.t), hit)
+                    self.blocker(body, near.start + near.scale * f64::from(hit.t), hit)
                 }));
             }
             farthest
@@ -186,25 +186,26 @@ impl SceneRays {
     }
 
     /// What a hit triangle keeps of the light; `None` where it has a hole.
-    fn blocker(&self, object: usize, t: f64, hit: &RayHit) -> Option<Blocker> {
+    fn blocker(&self, body: usize, t: f64, hit: &RayHit) -> Option<Blocker> {
         let RayHit { triangle, barycentric, .. } = *hit;
-        let mesh = self.mesh(object);
+        let mesh = self.mesh(body);
         let part = mesh.parts.partition_point(|part| part.first <= triangle).saturating_sub(1);
         let alpha = mesh.parts.get(part).map_or(1.0, |part| {
             let scene = self.scene();
             scene.opacity(mesh, triangle, barycentric, &scene.materials[part.material.index()])
         });
+        let (object, triangle) = self.in_object(body, triangle);
         (alpha > 0.0).then_some(Blocker { object, triangle, t, alpha })
     }
 }
 
-/// Collects the rays that light is left of and that come near an object, as columns in the coordinates of its
+/// Collects the rays that light is left of and that come near a body, as columns in the coordinates of its
 /// tree.
 #[inline(always)]
 fn near_columns<S: Simd>(
     simd: S,
     scene: &SceneRays,
-    (object, tree, sphere): (usize, &ObjectTree<'_>, (DVec3, f64)),
+    (body, tree, sphere): (usize, &BodyTree<'_>, (DVec3, f64)),
     (rays, through): (&[RayLanes], &[[f32; LANES]]),
     (near, numbers): (&mut Vec<RayColumns>, &mut Vec<u32>),
 ) {
@@ -231,7 +232,7 @@ fn near_columns<S: Simd>(
         end.store_slice(farthest);
         columns.lanes = inside;
         for lane in lanes_of(outside) {
-            if let Some(far) = scene.rebased_ray(&rays.ray(lane), object) {
+            if let Some(far) = scene.rebased_ray(&rays.ray(lane), body) {
                 columns.put(lane, &far.ray);
             }
         }

@@ -21,7 +21,7 @@ pub struct WorldHit {
     pub t: f64,
     /// The object, by its index in [`SceneRays::objects`](crate::SceneRays::objects).
     pub object: usize,
-    /// The triangle's index in the object's mesh.
+    /// The triangle's number in the object; [`SceneRays::in_body`](crate::SceneRays::in_body) finds it in a mesh.
     pub triangle: u32,
     /// Barycentric coordinates: the weights of the triangle's corners.
     pub barycentric: [f64; 3],

@@ -1,6 +1,6 @@
 //! A scene before a camera: where its objects become instances, for frames and for picks alike.
 
-use crate::cluster::{Clusters, Instance, TooManyTriangles, TriangleOf};
+use crate::cluster::{Clusters, Instance, TooManyTriangles};
 use crate::frame::Frame;
 use crate::query::{InstanceSpace, Strokes, ViewFromLocal, strokes};
 use crate::types::{Coverage, CullFaces, PartUse, Samples};
@@ -222,18 +222,19 @@ impl<'s> PlacedScene<'s> {
         }
     }
 
-    /// The object of a triangle, and the triangle's number in it; `None` for points and lines.
+    /// The object of a triangle, which is given by its instance and its place in the instance's mesh, and the triangle's
+    /// number in it; `None` for points and lines.
     ///
     /// # Panics
     /// If there is no such instance.
     #[must_use]
-    pub fn object_of(&self, of: TriangleOf) -> (usize, Option<u32>) {
-        let instance = &self.instances[of.instance];
+    pub fn object_of(&self, instance: usize, triangle: u32) -> (usize, Option<u32>) {
+        let instance = &self.instances[instance];
         let first = instance.objects.start;
         if instance.strokes.is_some() {
             return (first, None);
         }
-        let (section, triangle) = self.mesh(instance).section_of(of.triangle);
+        let (section, triangle) = self.mesh(instance).section_of(triangle);
         let before = |object: &Object| object.section < section;
         let within = self.objects[instance.objects.clone()].partition_point(before);
         (first + within, Some(triangle))

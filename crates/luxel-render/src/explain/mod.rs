@@ -253,7 +253,7 @@ impl PixelScene<'_> {
             let lights = lights_with_terms(self.view);
             return ground::background(scene, &batch, eye, &lights, kept);
         };
-        let (object, triangle) = scene.placed.object_of(of);
+        let (object, triangle) = scene.placed.object_of(of.instance, of.triangle);
         let mesh = scene.frame.instances()[of.instance].mesh;
         let material = &scene.scene.materials[mesh.parts[of.part].material.index()];
         let mut reflectance =

@@ -91,7 +91,7 @@ impl Renderer {
                     let [_, second, third] = weights.map(f64::from);
                     let in_view = a + (b - a) * second + (c - a) * third;
                     let z = -in_view.z;
-                    let (object, triangle) = scene.placed.object_of(of);
+                    let (object, triangle) = scene.placed.object_of(of.instance, of.triangle);
                     Some(SurfaceBelow {
                         object,
                         triangle,
@@ -149,7 +149,7 @@ impl Renderer {
                         let better =
                             if nearest.is_none() { squared <= known } else { squared < known };
                         if better && at[0] < width && at[1] < height {
-                            let (object, _) = scene.placed.object_of(of);
+                            let (object, _) = scene.placed.object_of(of.instance, of.triangle);
                             let distance = (squared as f64).sqrt();
                             nearest =
                                 Some((squared, NearestObject { object, pixel: at, distance }));

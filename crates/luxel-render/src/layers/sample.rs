@@ -33,7 +33,7 @@ impl RecentTriangles {
         let entry = &mut self.entries[id as usize % Self::COUNT];
         if entry[0] != id {
             let of = scene.frame.triangle(TriangleId(id))?;
-            let (object, triangle) = scene.placed.object_of(of);
+            let (object, triangle) = scene.placed.object_of(of.instance, of.triangle);
             *entry = [id, object as u32, triangle.unwrap_or(u32::MAX)];
         }
         let [_, object, triangle] = *entry;

@@ -75,7 +75,7 @@ impl Shadows<'_> {
 
     /// Writes the places of a triangle; returns whether there are any: points and lines have none.
     pub(super) fn places_into(&self, id: TriangleId, places: &mut TrianglePlaces) -> bool {
-        let of = self.frame.triangle(id).map(|of| self.placed.object_of(of));
+        let of = self.frame.triangle(id).map(|of| self.placed.object_of(of.instance, of.triangle));
         let Some((object, Some(triangle))) = of else { return false };
         self.rays.places_into(object, triangle, places)
     }
@@ -98,7 +98,7 @@ impl Shadows<'_> {
         barycentric: [f32; 3],
         place: &SurfacePlace,
     ) -> DVec3 {
-        let of = self.frame.triangle(id).map(|of| self.placed.object_of(of));
+        let of = self.frame.triangle(id).map(|of| self.placed.object_of(of.instance, of.triangle));
         let Some((object, Some(triangle))) = of else { return DVec3::ZERO };
         self.rays.terminator_offset((object, triangle), barycentric, place)
     }

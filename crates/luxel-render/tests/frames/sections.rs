@@ -95,6 +95,29 @@ fn sections_look_like_meshes_of_their_own() {
     }
 }
 
+/// Rays meet objects of which nothing or all lets light through as one, others apart.
+#[test]
+fn sections_cast_shadows_as_meshes_of_their_own_whatever_they_are_made_of() {
+    for mode in [AlphaMode::Opaque, AlphaMode::Blend] {
+        let [joined, separate] = both().map(|mut scene| {
+            for material in &mut scene.materials {
+                (material.alpha_mode, material.opacity) = (mode, 0.6);
+            }
+            Renderer::new(scene, &execution(1, SimdLevel::Auto)).unwrap()
+        });
+        let view = views().into_iter().find(|view| view.shadows).unwrap();
+        let pixels = joined.linear(&view).unwrap().pixels;
+        assert!(pixels == separate.linear(&view).unwrap().pixels, "{mode:?}");
+        let without = joined.linear(&view.clone().with_shadows(false)).unwrap().pixels;
+        assert!(pixels != without, "{mode:?}");
+        for pixel in [[60, 45], [30, 40], [80, 50], [70, 60]] {
+            let explained = [&joined, &separate]
+                .map(|renderer| renderer.explain(&view, At::Pixel(pixel)).unwrap());
+            assert_eq!(format!("{:?}", explained[0]), format!("{:?}", explained[1]));
+        }
+    }
+}
+
 #[test]
 fn layers_number_sections_as_objects() {
     let [joined, separate] = renderers();

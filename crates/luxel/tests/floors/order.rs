@@ -142,7 +142,8 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
         "luxel-rays",
         &[
             "world_ray",
-            "object_tree",
+            "body_tree",
+            "bodies",
             "scene_rays",
             "memory",
             "surface_place",

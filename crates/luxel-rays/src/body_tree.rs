@@ -1,16 +1,16 @@
-//! The trees of objects, with their transforms.
+//! The trees of bodies, with their transforms.
 
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality, TooManyForTree};
 use luxel_parallel::fill;
 use luxel_scene::{Mesh, Object, Scene};
 
-/// The tree of an object, with its transforms.
+/// The tree of a body, with its transforms.
 pub(crate) struct PlacedTree {
     pub(crate) mesh: usize,
     pub(crate) world_from_tree: DMat4,
     pub(crate) tree_from_world: DMat4,
-    /// A tree in world coordinates, if the object's transform is singular or too anisotropic for rays to
+    /// A tree in world coordinates, if the body's transform is singular or too anisotropic for rays to
     /// be transformed.
     pub(crate) baked: Option<Box<BakedTree>>,
 }
@@ -20,9 +20,9 @@ pub(crate) struct BakedTree {
     pub(crate) positions: Vec<[f32; 3]>,
 }
 
-/// A view of an object's tree.
+/// A view of a body's tree.
 #[derive(Clone, Copy, Debug)]
-pub struct ObjectTree<'p> {
+pub struct BodyTree<'p> {
     /// The tree.
     pub bvh: &'p Bvh,
     /// The positions of its triangles' corners.
@@ -105,7 +105,7 @@ fn stretch(matrix: &DMat4, inverse: &DMat4) -> f64 {
     norm(matrix) * norm(inverse) / 3.0
 }
 
-impl ObjectTree<'_> {
+impl BodyTree<'_> {
     /// The world-space bounds of the tree's box.
     pub(crate) fn world_box(&self) -> [DVec3; 2] {
         let Some([low, high]) = self.bvh.bounds() else {
