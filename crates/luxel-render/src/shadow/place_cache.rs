@@ -8,35 +8,55 @@ use luxel_visibility::TriangleId;
 /// blocks.
 const KEPT: usize = 512;
 
-/// A triangle and its places, if it has any.
-#[derive(Clone)]
-struct Entry {
-    id: u32,
-    is_placed: bool,
-    places: TrianglePlaces,
-}
+/// What is known of a kept triangle: its id, and above it whether it has places. Apart from the places, since these
+/// don't stay in the first cache.
+#[derive(Clone, Copy)]
+struct Key(u64);
 
-impl Entry {
-    fn empty() -> Self {
-        Self { id: TriangleId::NONE.0, is_placed: false, places: TrianglePlaces::default() }
+impl Key {
+    const NONE: Self = Self(TriangleId::NONE.0 as u64);
+
+    fn new(id: u32, is_placed: bool) -> Self {
+        Self(u64::from(id) | u64::from(is_placed) << 32)
+    }
+
+    #[inline(always)]
+    fn is_of(self, id: u32) -> bool {
+        self.0 as u32 == id
+    }
+
+    #[inline(always)]
+    fn is_placed(self) -> bool {
+        self.0 >> 32 != 0
     }
 }
 
 /// The places of triangles, one cache a thread. An id keeps them where its low bits say, until another
 /// one with the same bits comes.
-#[derive(Default)]
 pub(super) struct PlaceCache {
-    entries: Box<[Entry]>,
+    keys: [Key; KEPT],
+    /// None until the first are needed.
+    places: Box<[TrianglePlaces]>,
     /// Those of a batch that found their place taken by another of it, one a lane.
-    spare: Vec<Entry>,
-    /// Stands for lanes without a place.
-    nowhere: TrianglePlaces,
+    spare: Box<[TrianglePlaces; LANES]>,
+}
+
+impl Default for PlaceCache {
+    fn default() -> Self {
+        Self { keys: [Key::NONE; KEPT], places: Box::default(), spare: Box::default() }
+    }
+}
+
+/// Where a triangle is kept.
+#[inline(always)]
+fn slot(id: u32) -> usize {
+    id as usize % KEPT
 }
 
 impl PlaceCache {
     /// Forgets the triangles of another frame.
     pub(super) fn begin_frame(&mut self) {
-        self.entries.iter_mut().for_each(|entry| entry.id = TriangleId::NONE.0);
+        self.keys.fill(Key::NONE);
     }
 
     /// The places of a triangle, if it has any. `make` computes them as for [`Self::of_lanes`].
@@ -46,25 +66,32 @@ impl PlaceCache {
         make: impl Fn(TriangleId, &mut TrianglePlaces) -> bool,
     ) -> Option<&TrianglePlaces> {
         self.make_room();
-        let entry = &mut self.entries[id as usize % KEPT];
-        if entry.id != id {
-            entry.id = id;
-            entry.is_placed = make(TriangleId(id), &mut entry.places);
-        }
-        entry.is_placed.then_some(&entry.places)
+        self.keep(id, make);
+        let at = slot(id);
+        self.keys[at].is_placed().then_some(&self.places[at])
     }
 
     /// Makes room for the triangles that are kept, once.
     #[inline(always)]
     fn make_room(&mut self) {
-        if self.entries.is_empty() {
-            self.entries = vec![Entry::empty(); KEPT].into();
-            self.spare.resize(LANES, Entry::empty());
+        if self.places.is_empty() {
+            self.places = vec![TrianglePlaces::default(); KEPT].into();
         }
     }
 
-    /// The places of each lane's triangle, and the lanes whose triangle has any. `make` computes them where
-    /// they are kept, which saves a copy, and returns whether there are any.
+    /// Computes the places of a triangle unless they are kept; returns whether it did.
+    #[inline(always)]
+    fn keep(&mut self, id: u32, make: impl Fn(TriangleId, &mut TrianglePlaces) -> bool) -> bool {
+        let at = slot(id);
+        if self.keys[at].is_of(id) {
+            return false;
+        }
+        self.keys[at] = Key::new(id, make(TriangleId(id), &mut self.places[at]));
+        true
+    }
+
+    /// The places of each lane's triangle, and the lanes whose triangle has any; those of the others are any. `make`
+    /// computes them where they are kept, which saves a copy, and returns whether there are any.
     #[inline(always)]
     pub(super) fn of_lanes<N: Lanes>(
         &mut self,
@@ -74,12 +101,6 @@ impl PlaceCache {
         make: impl Fn(TriangleId, &mut TrianglePlaces) -> bool,
     ) -> ([&TrianglePlaces; LANES], u32) {
         self.make_room();
-        let slot = |id: u32| id as usize % KEPT;
-        let fill = |entry: &mut Entry, id: u32| {
-            entry.id = id;
-            entry.is_placed = make(TriangleId(id), &mut entry.places);
-        };
-        let (mut taken, mut made) = (0, 0);
         // Lanes that don't count have no triangle, so that each that counts has a first lane.
         let mut counted = *ids;
         if lanes != simd.all_lanes() {
@@ -87,32 +108,51 @@ impl PlaceCache {
                 counted[lane] |= (lanes >> lane & 1).wrapping_sub(1);
             }
         }
-        for lane in lanes_of(simd.run_starts(&counted) & lanes) {
-            let (id, entry) = (ids[lane], &mut self.entries[slot(ids[lane])]);
-            if entry.id != id {
-                fill(entry, id);
-                made += 1;
-            }
+        let firsts = simd.run_starts(&counted) & lanes;
+        let (mut made, mut is_plain) = (false, true);
+        for lane in lanes_of(firsts) {
+            made |= self.keep(ids[lane], &make);
         }
         // Where none was made, nothing took another's place.
-        for lane in lanes_of(if made > 0 { lanes } else { 0 }) {
-            let id = ids[lane];
-            if self.entries[slot(id)].id != id {
-                fill(&mut self.spare[lane], id);
-                taken |= 1 << lane;
-            }
+        for lane in lanes_of(firsts) {
+            let key = self.keys[slot(ids[lane])];
+            is_plain &= key.is_placed() & (!made | key.is_of(ids[lane]));
         }
-        let (mut of, mut placed) = ([&self.nowhere; LANES], 0);
-        for lane in lanes_of(lanes) {
-            let entry = match taken >> lane & 1 {
-                0 => &self.entries[slot(ids[lane])],
-                _ => &self.spare[lane],
-            };
-            if entry.is_placed {
-                of[lane] = &entry.places;
-                placed |= 1 << lane;
-            }
+        let (mut placed, mut taken) = (lanes, 0);
+        if !is_plain {
+            (placed, taken) = self.sort_out(ids, lanes, &make);
+        }
+        let places = &self.places[..KEPT];
+        let mut of = [&places[0]; LANES];
+        for lane in 0..LANES {
+            of[lane] = &places[slot(ids[lane])];
+        }
+        for lane in lanes_of(taken) {
+            of[lane] = &self.spare[lane];
         }
         (of, placed)
+    }
+
+    /// The lanes whose triangles have places, and those whose places are among the spare ones.
+    #[cold]
+    #[inline(never)]
+    fn sort_out(
+        &mut self,
+        ids: &[u32; LANES],
+        lanes: u32,
+        make: &impl Fn(TriangleId, &mut TrianglePlaces) -> bool,
+    ) -> (u32, u32) {
+        let (mut placed, mut taken) = (0, 0);
+        for lane in lanes_of(lanes) {
+            let (id, key) = (ids[lane], self.keys[slot(ids[lane])]);
+            let is_placed = if key.is_of(id) {
+                key.is_placed()
+            } else {
+                taken |= 1 << lane;
+                make(TriangleId(id), &mut self.spare[lane])
+            };
+            placed |= u32::from(is_placed) << lane;
+        }
+        (placed, taken)
     }
 }
