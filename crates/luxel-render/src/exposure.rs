@@ -3,7 +3,7 @@
 use crate::frame::{RenderError, Renderer, ambient, placed_lights};
 use luxel_lighting::{Display, Environment, PlacedLight, Reflection, Tone};
 use luxel_math::elementary;
-use luxel_scene::{Camera, Lens, Object, Projection, Scene, Size};
+use luxel_scene::{Camera, Lens, Object, Projection, Scene, Size, bodies};
 use luxel_view::{EnvironmentChoice, View};
 
 /// Light within a stop of 1 needs no exposure.
@@ -95,11 +95,13 @@ fn environment(scene: &Scene, view: &View) -> [f32; 3] {
 /// scenes without triangles, the middles of the objects' bounds.
 fn places(scene: &Scene, eye: [f64; 3]) -> Vec<[f32; 3]> {
     let objects = scene.objects();
+    // Objects that share a mesh have its triangles together.
+    let objects: Vec<&Object> = bodies(&objects).map(|body| &objects[body.start]).collect();
     let about_eye = |place: luxel_scene::DVec3| (place - luxel_scene::DVec3::from(eye)).as_vec3();
-    let count = |object: &Object| scene.meshes[object.mesh.index()].triangles.len() as u64;
+    let count = |object: &&Object| scene.meshes[object.mesh.index()].triangles.len() as u64;
     let all: u64 = objects.iter().map(count).sum();
     if all == 0 {
-        let middle = |object: &Object| {
+        let middle = |object: &&Object| {
             let bounds = scene.meshes.bounds_of(object.mesh, &object.world_from_mesh);
             (!bounds.is_empty()).then(|| about_eye(bounds.centre()).to_array())
         };

@@ -1,12 +1,15 @@
 //! Objects that share a mesh, beside the same objects with a mesh each.
 
 use crate::scenes::{execution, fitted, matte, square};
+use luxel_lighting::Attenuation;
 use luxel_math::SimdLevel;
 use luxel_render::{
     At, Edges, Interpolation, Layer, Renderer, Shading, ShadingMode, SvgOptions, Unseen, View,
+    auto_exposure,
 };
 use luxel_scene::{
-    AlphaMode, DVec3, Joiner, MaterialId, Mesh, NormalOptions, Part, Scene, SceneMaterial, Size,
+    AlphaMode, DVec3, Joiner, MaterialId, Mesh, NormalOptions, Part, Scene, SceneLight,
+    SceneMaterial, Size,
 };
 use luxel_view::AmbientOcclusion;
 
@@ -116,6 +119,26 @@ fn sections_cast_shadows_as_meshes_of_their_own_whatever_they_are_made_of() {
             assert_eq!(format!("{:?}", explained[0]), format!("{:?}", explained[1]));
         }
     }
+}
+
+/// More triangles than are metered: each of them counts once, not once for each object.
+#[test]
+fn exposure_is_that_of_the_triangles_which_a_light_reaches_as_sections_or_as_meshes() {
+    let mut joiner = Joiner::new(1000);
+    for number in 0..1500_u16 {
+        let at = f32::from(number);
+        joiner.push(format!("square {number}"), turned_square([at * 0.01, 0.0, 0.0], at, 0));
+    }
+    let mut joined = Scene { materials: vec![matte([0.5; 3])], ..Scene::default() };
+    joiner.finish(&mut joined);
+    let separate = joined.separated().into_owned();
+    assert_eq!((joined.meshes.len(), separate.meshes.len()), (1, 1500));
+    let mut view = fitted(&separate, Size { width: 120, height: 90 });
+    view.lights = vec![SceneLight::point(DVec3::new(-1.0, 0.5, 0.0), [9e3; 3])];
+    view.lights[0].light.attenuation = Attenuation::INVERSE_SQUARE;
+    let [joined, separate] = [joined, separate].map(|scene| auto_exposure(&scene, &view));
+    assert_eq!(joined, separate);
+    assert!(joined.ev < -4.0, "{joined:?}");
 }
 
 #[test]
