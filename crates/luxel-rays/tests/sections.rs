@@ -6,7 +6,7 @@ mod common;
 
 use common::Random;
 use luxel_math::LANES;
-use luxel_rays::{RayLanes, SceneRays, Spread, WorldRay};
+use luxel_rays::{Blocker, RayLanes, SceneRays, Spread, WorldRay};
 use luxel_scene::{
     AlphaMode, Joiner, MaterialId, Part, Scene, SceneMaterial, primitives::icosphere,
 };
@@ -52,7 +52,13 @@ fn rays_find_sections_as_meshes_of_their_own_whatever_they_are_made_of() {
             assert_eq!(hits, separate.all(ray), "{modes:?} {ray:?}");
             assert_eq!(joined.closest(ray), hits.first().copied());
             assert_eq!(joined.any(ray), !hits.is_empty());
-            assert_eq!(joined.blockers(ray), separate.blockers(ray));
+            // Distances of blockers are those of the trees, in f32, whose boxes differ.
+            let [ours, theirs] = [joined.blockers(ray), separate.blockers(ray)];
+            assert_eq!(ours.len(), theirs.len());
+            for (one, other) in ours.iter().zip(theirs) {
+                assert_eq!(Blocker { t: other.t, ..*one }, other);
+                assert!((one.t - other.t).abs() < 1e-6 * (1.0 + other.t), "{one:?} {other:?}");
+            }
             assert_eq!(joined.transmittance(ray), separate.transmittance(ray));
             for hit in hits {
                 let (body, triangle) = joined.in_body(hit.object, hit.triangle);
@@ -66,7 +72,7 @@ fn rays_find_sections_as_meshes_of_their_own_whatever_they_are_made_of() {
                 objects.insert(hit.object);
             }
         }
-        assert!(found > 500 && objects.len() == 40, "{found} hits of {} objects", objects.len());
+        assert!(found > 300 && objects.len() == 40, "{found} hits of {} objects", objects.len());
         assert_eq!(joined.closest_of_each(&rays), separate.closest_of_each(&rays));
         assert_eq!(joined.any_of_each(&rays), separate.any_of_each(&rays));
         for spread in [Spread::Narrow, Spread::Wide] {
