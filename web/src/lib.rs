@@ -13,6 +13,7 @@ mod check;
 mod describe;
 mod drawer;
 mod error;
+mod handles;
 mod ledger;
 mod model;
 mod motion;

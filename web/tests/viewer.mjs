@@ -172,6 +172,50 @@ test("pointing explains, a click keeps, Escape lets go", () =>
     await page.waitForFunction(() => !/kept/.test(document.querySelector("#ledger").textContent));
   }));
 
+test("lights move with their handles, by mouse and by keys, and the command draws what they light", () =>
+  withViewer("#demo=teapot&size=320x240&samples=1&light=directional:dir=-1,-1,-2:name=sun&light=spot:pos=2,3,1:dir=-2,-3,-1:cutoff=40:name=lamp", async (page) => {
+    assert.equal(await page.locator("#handles .handle").count(), 0);
+    await page.check("#show-handles");
+    await page.waitForFunction(() => document.querySelectorAll("#handles .handle").length === 3);
+    const lights = async () => [...(await page.locator("#command").textContent()).matchAll(/--light (\S+)/g)].map(([, text]) => text);
+    const settled = () => page.evaluate(() => window.luxel.settled());
+    const placeOf = async (kind) => {
+      const box = await page.locator(`#handles .${kind} .knob`).boundingBox();
+      return [box.x + box.width / 2, box.y + box.height / 2];
+    };
+    let before = await pixelsOf(page);
+    for (const kind of ["direction", "position", "target"]) {
+      const was = await lights();
+      const [x, y] = await placeOf(kind);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x - 18, y + 14, { steps: 4 });
+      await page.mouse.up();
+      await page.waitForFunction((was) => !document.querySelector("#command").textContent.includes(was), kind === "direction" ? was[0] : was[1]);
+      await settled();
+      const [nowX, nowY] = await placeOf(kind);
+      // Numbers of lights are rounded to five digits; a target is as far from its light as before.
+      const most = kind === "target" ? 8 : 1;
+      assert.ok(Math.abs(nowX - (x - 18)) < most && Math.abs(nowY - (y + 14)) < most, `${kind}: ${[x, y]} to ${[nowX, nowY]}`);
+      const now = await lights();
+      assert.notEqual(now.join(), was.join());
+      const drawn = await pixelsOf(page);
+      assert.ok(!drawn.equals(before), `${kind} changes nothing`);
+      before = drawn;
+    }
+    const was = await lights();
+    await page.locator("#handles .position").focus();
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction((was) => !document.querySelector("#command").textContent.includes(was), was[1]);
+    const line = await page.locator("#command").textContent();
+    const shown = await page.inputValue("#lights input[aria-label='position x']");
+    assert.ok(line.includes(`pos=${shown},`), `${line} has no x of ${shown}`);
+    const flags = line.replace(/^luxel render \S+ /, "").replace(/ -o picture.png$/, "").split(" ");
+    assert.ok((await pixelsOf(page)).equals(pixelsOfProgram(program, "demo:teapot", flags)));
+    await page.uncheck("#show-handles");
+    await page.waitForFunction(() => document.querySelectorAll("#handles .handle").length === 0);
+  }));
+
 test("every number changes the picture", () =>
   withViewer("#demo=teapot&size=300x200&samples=1", async (page) => {
     await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));

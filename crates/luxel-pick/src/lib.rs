@@ -99,7 +99,10 @@ pub use selection_mode::{HitRecord, MAX_NAMES, NameError, Selected, Selection};
 pub use sliver::{Inclusion, SliverHit, depths_in_volume};
 pub use snapping::{NearEdge, NearPolygon, NearVertex, SnapTo, Snapped, SnappedTo};
 pub use surface_hit::{Element, PickHit};
-pub use unproject::{SightLine, Viewport, pick_matrix, project, unproject, unproject4, window_ray};
+pub use unproject::{
+    SightLine, Viewport, pick_matrix, place_in_picture, point_in_picture, project, unproject,
+    unproject4, window_ray,
+};
 pub use view::PickView;
 pub use visible_ids::{NO_ID, VisibleHit, VisibleIds};
 pub use window::{LogicalPosition, LogicalSize, PhysicalPosition, PhysicalSize, flip_y};

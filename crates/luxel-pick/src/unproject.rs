@@ -103,6 +103,26 @@ pub fn unproject4(
     object.is_finite().then_some(object)
 }
 
+/// Projects a point to a camera's picture: x, y in pixels from the upper left, depth from 0 near to 1 far. `None`
+/// behind the eye.
+#[must_use]
+pub fn place_in_picture(camera: &Camera, size: Size, point: DVec3) -> Option<DVec3> {
+    let (view, clip) = (&camera.view_from_world, camera.projection.clip_from_view(size));
+    let is_before = -view.transform_point3(point).z > 0.0 || camera.projection.is_orthographic();
+    let place = project(point, view, &clip, Viewport::of(size)).filter(|_| is_before)?;
+    Some(DVec3::new(place.x, f64::from(size.height) - place.y, place.z))
+}
+
+/// The point in world space at a place of a camera's picture: the inverse of [`place_in_picture`]. `None` if it lies
+/// at infinity.
+#[must_use]
+pub fn point_in_picture(camera: &Camera, size: Size, place: DVec3) -> Option<DVec3> {
+    let clip = camera.projection.clip_from_view(size);
+    let place = DVec3::new(place.x, f64::from(size.height) - place.y, place.z);
+    unproject(place, &camera.view_from_world, &clip, Viewport::of(size))
+        .filter(|point| point.is_finite())
+}
+
 /// The inverse, if there is one.
 fn inverse(matrix: &DMat4) -> Option<DMat4> {
     let inverse = matrix.inverse();

@@ -1,6 +1,6 @@
 //! Projection from world space to window pixels, from the upper left, and back; parts of the window.
 
-use luxel::pick::{Viewport, project, unproject};
+use luxel::pick::{Viewport, place_in_picture, project};
 use luxel::scene::{Camera, DMat4, DVec2, DVec3, Lens, Projection, Size};
 
 /// A part of a window, in pixels from its upper left.
@@ -94,24 +94,14 @@ const MAX_COORDINATE: f64 = 5e4;
 /// Projects a point to window pixels and depth, 0 near to 1 far; `None` behind the camera or far
 /// outside the window.
 pub(crate) fn project_point(camera: &Camera, size: Size, point: DVec3) -> Option<DVec3> {
-    let (view, clip) = (&camera.view_from_world, camera.projection.clip_from_view(size));
-    let is_before = -view.transform_point3(point).z > 0.0 || camera.projection.is_orthographic();
-    let place = project(point, view, &clip, Viewport::of(size)).filter(|_| is_before)?;
-    let place = DVec3::new(place.x, f64::from(size.height) - place.y, place.z);
-    (place.x.abs() < MAX_COORDINATE && place.y.abs() < MAX_COORDINATE).then_some(place)
-}
-
-/// Unprojects window pixels and depth to world space.
-pub(crate) fn unproject_point(camera: &Camera, size: Size, place: DVec3) -> Option<DVec3> {
-    let clip = camera.projection.clip_from_view(size);
-    let place = DVec3::new(place.x, f64::from(size.height) - place.y, place.z);
-    unproject(place, &camera.view_from_world, &clip, Viewport::of(size))
-        .filter(|point| point.is_finite())
+    place_in_picture(camera, size, point)
+        .filter(|place| place.x.abs() < MAX_COORDINATE && place.y.abs() < MAX_COORDINATE)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use luxel::pick::point_in_picture;
 
     const SIZE: Size = Size { width: 200, height: 100 };
 
@@ -147,7 +137,7 @@ mod tests {
         for lens in [Lens::Orthographic { height: 20.0 }, Lens::Perspective { fov_y_radians: 0.9 }]
         {
             let place = project_point(&camera(lens), SIZE, point).unwrap();
-            let back = unproject_point(&camera(lens), SIZE, place).unwrap();
+            let back = point_in_picture(&camera(lens), SIZE, place).unwrap();
             assert!(back.abs_diff_eq(point, 1e-6), "{lens:?}: {back}");
         }
         let lens = Lens::Perspective { fov_y_radians: 0.9 };

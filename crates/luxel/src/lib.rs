@@ -27,6 +27,7 @@
 //! | [`render`] | pictures and layers of a scene |
 //! | [`report`] | the light of a pixel term by term, and picks, as text, JSON, LaTeX, HTML |
 //! | [`navigation`] | from mouse and keys to the camera, without a window |
+//! | [`light_editing`] | lights under a hand: poses, and handles in a picture |
 //! | [`math`] | numbers with the same bits everywhere |
 //!
 //! # Features
@@ -46,6 +47,7 @@
 mod camera_choice;
 mod default_view;
 mod draw;
+pub mod light_editing;
 mod load;
 #[cfg(feature = "packed")]
 mod packed;

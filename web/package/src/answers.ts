@@ -162,6 +162,21 @@ export interface Ledger {
   hints: string[];
 }
 
+/** A handle that moves a light in the picture. */
+export interface LightHandle {
+  kind: "position" | "target" | "direction";
+  /** Where it is, in pixels of the picture. */
+  place: [x: number, y: number];
+  /** False for a direction on the far side of the sphere on which directions are shown. */
+  isNear: boolean;
+}
+
+/** Where a light is and where it shines, in its own coordinates: the world's or the camera's. */
+export interface LightPose {
+  position: number[];
+  direction: number[];
+}
+
 /** Something in a mesh that spoils shading. */
 export interface Finding {
   kind: string;

@@ -77,6 +77,8 @@ export interface Calls {
   explain(id: number, x: number, y: number, format: "json" | "text" | "latex"): string;
   ledger(id: number, x: number, y: number): string;
   log(id: number): string;
+  lightHandles(id: number, lights: string[]): string;
+  moveLight(id: number, light: string, kind: string, x: number, y: number, isNear: boolean): number[] | null;
   check(id: number): { json: string; pixels: Pixels };
   /** For drawers: the scene of a view, and which of its objects are hidden. */
   prepare(id: number, scene: PackedScene): void;

@@ -1,7 +1,17 @@
 /** Views: a scene seen by a camera, drawn by all workers, picked, explained and moved by one. */
 
 import { helpers, LuxelError, type Hand } from "./crew.ts";
-import type { Explanation, Hit, Ledger, LayerName, PickAnswer, RegionHit, CheckAnswer } from "./answers.ts";
+import type {
+  CheckAnswer,
+  Explanation,
+  Hit,
+  LayerName,
+  Ledger,
+  LightHandle,
+  LightPose,
+  PickAnswer,
+  RegionHit,
+} from "./answers.ts";
 import type { CameraState, Frame, NavigationEvent, Pixels } from "./protocol.ts";
 import { pairs, type Settings } from "./settings.ts";
 
@@ -156,6 +166,20 @@ export class View {
   /** The log of all that has moved the camera; `luxel navigate --replay` plays it. */
   log(): Promise<string> {
     return this.#hand.call("log", [this.#id]);
+  }
+
+  /** The handles of lights in the picture: for each of these texts of `--light` a list, which may be empty. */
+  async lightHandles(lights: readonly string[]): Promise<LightHandle[][]> {
+    const lists: (Omit<LightHandle, "isNear"> & { is_near: boolean })[][] = JSON.parse(
+      await this.#hand.call("lightHandles", [this.#id, [...lights]]),
+    );
+    return lists.map((handles) => handles.map(({ is_near, ...handle }) => ({ ...handle, isNear: is_near })));
+  }
+
+  /** The pose of a light of which a handle is moved to a place of the picture; null if no point is there. */
+  async moveLight(light: string, handle: LightHandle, x: number, y: number): Promise<LightPose | null> {
+    const moved = await this.#hand.call("moveLight", [this.#id, light, handle.kind, x, y, handle.isNear]);
+    return moved && { position: moved.slice(0, 3), direction: moved.slice(3) };
   }
 
   /** What in the mesh spoils shading, and a picture that marks it. */

@@ -175,6 +175,12 @@ const answers: Answers = {
 
   ledger: (id, x, y) => got(views, id, "view").view.ledger(x, y),
   log: (id) => got(views, id, "view").view.log(),
+  lightHandles: (id, lights) => got(views, id, "view").view.light_handles(lights),
+
+  moveLight(id, light, kind, x, y, isNear) {
+    const moved = got(views, id, "view").view.move_light(light, kind, x, y, isNear);
+    return moved === undefined ? null : Array.from(moved);
+  },
 
   check(id) {
     const checked = got(views, id, "view").view.check();

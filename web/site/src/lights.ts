@@ -46,8 +46,16 @@ function numbers(text: string | undefined, otherwise: number[]): number[] {
   return parsed.length === otherwise.length && parsed.every(Number.isFinite) ? parsed : otherwise;
 }
 
-function nameOf(light: Light, at: number): string {
+/** The name of a light, which is the one at this place of the list. */
+export function nameOf(light: Light, at: number): string {
   return light.fields.get("name") ?? `${light.kind} ${at + 1}`;
+}
+
+/** The colour of a light, the brightest of its channels at most 1. */
+export function colorOf({ kind, fields }: Light): number[] {
+  const color = numbers(fields.get(kind === "ambient" ? "color" : "diffuse"), [1, 1, 1]);
+  const most = Math.max(1e-6, ...color);
+  return color.map((part) => Math.max(0, part) / most);
 }
 
 /** The rows of a light's numbers. */

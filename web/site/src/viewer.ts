@@ -19,6 +19,7 @@ import {
 } from "luxel";
 import { byId, element } from "./dom.ts";
 import { listenToDrops } from "./dropping.ts";
+import { Handles } from "./handles.ts";
 import { sentence, showLedger } from "./ledger.ts";
 import { lightText, parseLight, showLights, type Light } from "./lights.ts";
 import { command, readLink, writeLink } from "./link.ts";
@@ -62,6 +63,9 @@ let lights: Light[] = [];
 /** Whether the lights are others than the scene's. */
 let hasLights = false;
 let camera: CameraState | undefined;
+/** What shows the lights in their panel, and what applies them. */
+let showLightPanel = (): void => {};
+let lightsChanged = (): void => {};
 let isChecked = false;
 let vocabularyOnce: Promise<Vocabulary> | undefined;
 const layerChoice = byId<HTMLSelectElement>("layer");
@@ -173,6 +177,7 @@ async function drawLoop(): Promise<void> {
     // Another scene may have come meanwhile.
   } while (current !== view);
   isDrawing = false;
+  await attempt(() => handles.update());
   showCommand();
   const waiting = idle;
   idle = [];
@@ -285,6 +290,22 @@ function showAnswer(ledger: Ledger, at: [number, number]): void {
   canvas.setAttribute("aria-label", `${model.name}. ${sentence(ledger)}`);
 }
 
+const handles = new Handles(document.getElementById("handles") as unknown as SVGElement, {
+  view: () => view,
+  lights: () => lights,
+  middle: () => [canvas.width / 2, canvas.height / 2],
+  toPage: ([x, y]) => placeOf([x - 0.5, y - 0.5]),
+  wayToPicture: ([right, down]) => {
+    const box = canvas.getBoundingClientRect();
+    const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
+    return [right / scale, down / scale];
+  },
+  changed: () => {
+    showLightPanel();
+    lightsChanged();
+  },
+});
+
 /** Explains the kept pixel, else the one under the pointer, one after the other. */
 async function ask(): Promise<void> {
   const at = kept ?? pointed;
@@ -396,12 +417,14 @@ async function show(
   tree.set(description.objects);
   const warnings = description.warnings.length > 0 ? `; ${description.warnings.join("; ")}` : "";
   byId("counts").textContent = `${description.triangles.toLocaleString("en")} triangles in ${description.objects.length.toLocaleString("en")} ${description.objects.length === 1 ? "object" : "objects"}${warnings}`;
-  showLights(byId("lights"), lights, radius, () => {
+  showLightPanel = () => showLights(byId("lights"), lights, radius, lightsChanged);
+  lightsChanged = () => {
     hasLights = true;
     // Ambient light of the scene stays beside lights of the page.
     settings["ambient"] ??= description.ambient.join(",");
     changed();
-  });
+  };
+  showLightPanel();
   showSurface(byId("surface"), settings, description, words, changed);
   showPicture(byId("picture-settings"), settings, words, changed);
   byId("ledger").replaceChildren(element("p", { class: "quiet" }, "Point at the picture. A click keeps the pixel; a second one, or Escape, lets it go."));
@@ -464,6 +487,9 @@ function connect(): void {
   });
   byId<HTMLSelectElement>("demo").addEventListener("change", ({ target }) => {
     void openDemo((target as HTMLSelectElement).value);
+  });
+  byId<HTMLInputElement>("show-handles").addEventListener("change", ({ target }) => {
+    void attempt(() => handles.show((target as HTMLInputElement).checked));
   });
   byId("check").addEventListener("click", () => void attempt(check));
   byId("close-check").addEventListener("click", () => {

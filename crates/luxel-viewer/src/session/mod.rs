@@ -2,7 +2,6 @@
 
 mod edits;
 mod fitting;
-mod light_editing;
 mod material_overrides;
 mod measurement;
 mod recorder;
@@ -11,15 +10,16 @@ use crate::display::{Comparison, DisplaySettings};
 use crate::keys::{Action, Guide};
 use crate::model::Model;
 use crate::picture::{GuideScene, Guides};
-use crate::projection::{project_point, unproject_point};
+use crate::projection::project_point;
 use crate::render::{RenderJob, SceneOverrides};
 use crate::selection::Selection;
 use edits::Edits;
-pub(crate) use light_editing::LightSpaces;
+use luxel::light_editing::{LightPose, LightSpaces};
 use luxel::lighting::LightKindDescription;
 use luxel::navigation::{
     Change, Entry, Event, Mode, Number, Settings, State, advance, parallel_height, with_lens,
 };
+use luxel::pick::point_in_picture;
 use luxel::render::{View, auto_exposure};
 use luxel::scene::{
     Bounds, Camera, DMat4, DVec3, Lens, Object, Placement, Projection, SceneLight, Size, fit_planes,
@@ -438,7 +438,7 @@ impl Session {
         let nearer = target + (eye - target) * 0.35;
         let from = project_point(&camera, size, nearer).and_then(|place| {
             let corner = [0.38 * f64::from(size.width), 0.25 * f64::from(size.height)];
-            unproject_point(&camera, size, DVec3::new(corner[0], corner[1], place.z))
+            point_in_picture(&camera, size, DVec3::new(corner[0], corner[1], place.z))
         });
         let ends = [from.unwrap_or(eye), target];
         let light = self.light_spaces().new_light(kind, ends, &self.display.view().lights);
@@ -447,15 +447,15 @@ impl Session {
         at
     }
 
-    /// Sets a light's position and direction in world space.
-    pub(crate) fn set_light_pose(&mut self, at: usize, position: DVec3, direction: DVec3) {
+    /// Sets a light's pose in world space.
+    pub(crate) fn set_light_pose(&mut self, at: usize, pose: LightPose) {
         let spaces = LightSpaces {
             view_from_world: self.state.view_from_world(),
             world_from_nodes: &self.world_from_nodes,
         };
         if let Some(light) = self.display.view_mut().lights.get_mut(at) {
             let before = light.clone();
-            spaces.set_world_pose(light, position, direction);
+            spaces.set_world_pose(light, pose);
             if *light != before {
                 self.revision += 1;
             }

@@ -122,11 +122,12 @@ fn changed_lights_are_given_in_coordinates_that_need_no_scene() {
     let pose = session.light_spaces().world_pose(&session.view().lights[0]);
     session
         .change_display(|display| display.view_mut().lights[0].placement = Placement::Node(node));
-    session.set_light_pose(0, pose.0, pose.1);
+    session.set_light_pose(0, pose);
     session.change_display(|display| display.view_mut().lights[0].light.scale(2.0));
     let lights = session.changed_lights().unwrap();
     assert_eq!(lights[0].placement, Placement::World);
-    assert!(session.light_spaces().world_pose(&lights[0]).1.abs_diff_eq(pose.1, 1e-12));
+    let again = session.light_spaces().world_pose(&lights[0]);
+    assert!(again.direction.abs_diff_eq(pose.direction, 1e-12));
     assert!(!session.is_environment_changed() && !session.has_surface_changes());
     session.edit_materials(|overrides| overrides.edit(0).set_parameter(&K_D, 0.25));
     assert!(session.has_surface_changes());

@@ -299,7 +299,10 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "picture",
         ],
     ),
-    ("luxel", &["default_view", "camera_choice", "draw", "load", "packed", "settings"]),
+    (
+        "luxel",
+        &["default_view", "camera_choice", "draw", "light_editing", "load", "packed", "settings"],
+    ),
     (
         "luxel-gallery",
         &["error", "file", "picture", "compare", "shot", "chapter", "svg", "lab", "page", "plots"],

@@ -1,12 +1,16 @@
-//! Editing of lights: poses in world space, changes of their coordinate space, new lights.
+//! Poses of lights in world space, changes of their coordinate space, new lights.
 
-use luxel::lighting::{Light, LightKindDescription};
-use luxel::scene::{DMat4, DVec3, Placement, SceneLight};
+use super::handles::LightPose;
+use luxel_lighting::{Light, LightKindDescription};
+use luxel_scene::{DMat4, DVec3, Placement, SceneLight};
 
 /// The coordinate spaces of lights.
-pub(crate) struct LightSpaces<'a> {
-    pub(crate) view_from_world: DMat4,
-    pub(crate) world_from_nodes: &'a [DMat4],
+#[derive(Clone, Copy, Debug)]
+pub struct LightSpaces<'a> {
+    /// From world space to the camera's.
+    pub view_from_world: DMat4,
+    /// From each node's space to world space.
+    pub world_from_nodes: &'a [DMat4],
 }
 
 impl LightSpaces<'_> {
@@ -21,34 +25,36 @@ impl LightSpaces<'_> {
         }
     }
 
-    /// A light's position, and the unit direction in which its light travels, in world space.
-    pub(crate) fn world_pose(&self, light: &SceneLight) -> (DVec3, DVec3) {
+    /// A light's pose in world space.
+    #[must_use]
+    pub fn world_pose(&self, light: &SceneLight) -> LightPose {
         let world = self.world_from(light.placement);
-        let direction = world.transform_vector3(light.direction);
-        (world.transform_point3(light.position), direction.normalize_or(DVec3::NEG_Z))
+        let direction = world.transform_vector3(light.direction).normalize_or(DVec3::NEG_Z);
+        LightPose { position: world.transform_point3(light.position), direction }
     }
 
     /// Moves a light to a pose in world space; no effect if its own space can't express it.
-    pub(crate) fn set_world_pose(&self, light: &mut SceneLight, position: DVec3, direction: DVec3) {
+    pub fn set_world_pose(&self, light: &mut SceneLight, pose: LightPose) {
         let light_from_world = self.world_from(light.placement).inverse();
-        let direction = light_from_world.transform_vector3(direction);
-        let position = light_from_world.transform_point3(position);
+        let direction = light_from_world.transform_vector3(pose.direction);
+        let position = light_from_world.transform_point3(pose.position);
         if position.is_finite() && direction.is_finite() && direction.length_squared() > 0.0 {
             (light.position, light.direction) = (position, direction.normalize());
         }
     }
 
     /// Changes a light's coordinate space and keeps its pose in world space.
-    pub(crate) fn change_placement(&self, light: &mut SceneLight, placement: Placement) {
+    pub fn change_placement(&self, light: &mut SceneLight, placement: Placement) {
         if light.placement != placement {
-            let (position, direction) = self.world_pose(light);
+            let pose = self.world_pose(light);
             light.placement = placement;
-            self.set_world_pose(light, position, direction);
+            self.set_world_pose(light, pose);
         }
     }
 
     /// A new light at one point of the world that shines at another.
-    pub(crate) fn new_light(
+    #[must_use]
+    pub fn new_light(
         &self,
         kind: &LightKindDescription,
         [from, to]: [DVec3; 2],
@@ -61,7 +67,8 @@ impl LightSpaces<'_> {
             position: DVec3::ZERO,
             direction: DVec3::NEG_Z,
         };
-        self.set_world_pose(&mut light, from, (to - from).normalize_or(DVec3::NEG_Y));
+        let direction = (to - from).normalize_or(DVec3::NEG_Y);
+        self.set_world_pose(&mut light, LightPose { position: from, direction });
         light
     }
 }
@@ -76,8 +83,8 @@ fn unused_name(name: &str, others: &[SceneLight]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use luxel::lighting::LightKind;
-    use luxel::scene::{Camera, NodeId};
+    use luxel_lighting::LightKind;
+    use luxel_scene::{Camera, NodeId};
 
     fn light() -> SceneLight {
         SceneLight {
@@ -100,9 +107,9 @@ mod tests {
             [Placement::Camera, Placement::Node(NodeId(0)), Placement::Camera, Placement::World]
         {
             spaces.change_placement(&mut light, placement);
-            let (position, direction) = spaces.world_pose(&light);
-            assert!(position.abs_diff_eq(before.0, 1e-12), "{placement:?}: {position}");
-            assert!(direction.abs_diff_eq(before.1, 1e-12), "{placement:?}: {direction}");
+            let LightPose { position, direction } = spaces.world_pose(&light);
+            assert!(position.abs_diff_eq(before.position, 1e-12), "{placement:?}: {position}");
+            assert!(direction.abs_diff_eq(before.direction, 1e-12), "{placement:?}: {direction}");
         }
         assert!(light.position.abs_diff_eq(DVec3::new(1.0, 2.0, 3.0), 1e-12));
     }
@@ -113,7 +120,8 @@ mod tests {
         let spaces = LightSpaces { view_from_world: DMat4::IDENTITY, world_from_nodes: &[flat] };
         let mut light = SceneLight { placement: Placement::Node(NodeId(0)), ..light() };
         let before = light.clone();
-        spaces.set_world_pose(&mut light, DVec3::ONE, DVec3::X);
+        let pose = LightPose { position: DVec3::ONE, direction: DVec3::X };
+        spaces.set_world_pose(&mut light, pose);
         assert_eq!(light, before);
     }
 
