@@ -36,14 +36,17 @@
 #![forbid(unsafe_code)]
 
 mod memo;
+#[cfg_attr(target_family = "wasm", path = "single_thread.rs")]
+mod pool;
 mod run;
 mod sort;
 mod thread;
 
 pub use memo::Memo;
+pub use pool::{ThreadPool, install, install_while, limit_threads, pool, threads};
 pub use run::{any, each, each_from_outside, fill, first, gather, map};
 pub use sort::{sort_u32, sort_u64, sort_u128};
-pub use thread::{install, install_while, join, limit_threads, pool, tasks, threads};
+pub use thread::{join, tasks};
 
 /// The examples of `README.md`.
 #[cfg(doctest)]

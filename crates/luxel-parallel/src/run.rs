@@ -1,7 +1,7 @@
 //! Runs: how work is cut into pieces, and what they give put together.
 
+use crate::pool::{ThreadPool, on_this_and_others};
 use crate::thread::{tasks, until_done};
-use rayon::ThreadPool;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -86,16 +86,12 @@ pub fn each_from_outside<T: Send>(
         }
     };
     let Some(pool) = pool else { return own() };
-    pool.in_place_scope(|scope| {
-        for _ in 1..pool.current_num_threads() {
-            scope.spawn(|_| {
-                while let Some(piece) = next() {
-                    work(piece);
-                }
-            });
+    let others = || {
+        while let Some(piece) = next() {
+            work(piece);
         }
-        own();
-    });
+    };
+    on_this_and_others(pool, &others, &mut own);
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -163,7 +159,7 @@ pub fn gather<T: Send>(
 #[cfg(test)]
 mod tests {
     use super::{any, each, each_from_outside, fill, first, gather, map};
-    use crate::thread::pool;
+    use crate::pool::pool;
     use proptest::prelude::*;
     use std::sync::atomic::{AtomicUsize, Ordering};
 

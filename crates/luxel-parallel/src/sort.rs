@@ -1,21 +1,20 @@
 //! Keys in order. One instance of the sort for each kind of key, for all crates.
 
-use crate::thread::install;
-use rayon::slice::ParallelSliceMut;
+use crate::pool::sort;
 
 /// Sorts on all threads.
 pub fn sort_u32(keys: &mut [u32]) {
-    install(None, || keys.par_sort_unstable());
+    sort(keys);
 }
 
 /// Sorts on all threads.
 pub fn sort_u64(keys: &mut [u64]) {
-    install(None, || keys.par_sort_unstable());
+    sort(keys);
 }
 
 /// Sorts on all threads.
 pub fn sort_u128(keys: &mut [u128]) {
-    install(None, || keys.par_sort_unstable());
+    sort(keys);
 }
 
 #[cfg(test)]

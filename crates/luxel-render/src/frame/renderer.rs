@@ -19,14 +19,13 @@ use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
 use luxel_lighting::{Environment, LightKind, LightingEnvironment};
 use luxel_math::{Level, dispatch_long};
-use luxel_parallel::Memo;
+use luxel_parallel::{Memo, ThreadPool};
 use luxel_rays::{MeshTrees, SceneRays};
 use luxel_scene::{AlphaMode, Bounds, CoplanarRanks, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
     Clusters, CoveragePolicy, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile, ViewRays,
 };
-use rayon::prelude::*;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
@@ -58,7 +57,7 @@ pub struct Renderer {
     lowest: Memo<f64>,
     level: Level,
     /// `None` where the machine has no threads.
-    pool: Option<rayon::ThreadPool>,
+    pool: Option<ThreadPool>,
     clock: fn() -> Duration,
     workers: Workers,
 }
@@ -323,11 +322,10 @@ impl Renderer {
                 true => Some(self.shadows(view, &frame, (&placed, &lights), of_surfaces, floor)?),
                 false => None,
             };
-            let flags_of_meshes: Vec<EdgeFlags> = if view.edges.is_some() {
-                self.scene.meshes.par_iter().map(EdgeFlags::new).collect()
-            } else {
-                Vec::new()
-            };
+            let meshes = if view.edges.is_some() { &self.scene.meshes[..] } else { &[] };
+            let flags_of_meshes = luxel_parallel::gather(meshes.len(), 1, &|run, flags| {
+                flags.extend(meshes[run].iter().map(EdgeFlags::new));
+            });
             let mut edge_flags: Vec<Option<&EdgeFlags>> = vec![None; placed.instances().len()];
             for (flags, instance) in edge_flags.iter_mut().zip(placed.instances()) {
                 if instance.strokes.is_none() {

@@ -9,7 +9,6 @@ use crate::cluster::{BOUNDS_WORDS, CONE_WORDS, Clusters, Instance, Instances};
 use crate::types::{GUARD_BAND, MAX_SIDE, PartUse, WindowTransform};
 use luxel_math::{LANES, Level, SUBPIXELS, Simd, dispatch, f32x16, i32x16, mask32x16, prelude::*};
 use luxel_scene::{Projection, Size};
-use rayon::prelude::*;
 
 /// A cluster that may be seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,16 +158,16 @@ pub(crate) fn visible_clusters(
             (0..groups).step_by(RUN).map(move |start| (number, start..groups.min(start + RUN)))
         })
         .collect();
-    let visible: Vec<Vec<VisibleCluster>> = runs
-        .into_par_iter()
-        .map(|(number, groups)| {
-            let transform = instances.window_from_local(number);
-            let Instance { clusters, parts, .. } = &instances.list[number];
-            let first = instances.first_clusters[number];
-            let faces = cullers[instances.transform_of(number)].as_ref().map(|culler| BackFaces { culler, parts });
-            dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first, faces))
-        })
-        .collect();
+    let visible: Vec<Vec<VisibleCluster>> = luxel_parallel::map(runs.len(), 1, &|run| {
+        let (number, groups) = runs[run.start].clone();
+        let transform = instances.window_from_local(number);
+        let Instance { clusters, parts, .. } = &instances.list[number];
+        let first = instances.first_clusters[number];
+        let faces = cullers[instances.transform_of(number)]
+            .as_ref()
+            .map(|culler| BackFaces { culler, parts });
+        dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first, faces))
+    });
     visible.into_iter().flatten()
 }
 

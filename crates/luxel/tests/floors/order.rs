@@ -32,7 +32,7 @@ pub(crate) const CRATES: &[&str] = &[
 /// The top modules of a crate: each imports only those before it.
 pub(crate) const MODULES: &[(&str, &[&str])] = &[
     ("luxel-math", &["simd_level", "lanes", "elementary", "fixed", "permute", "vector"]),
-    ("luxel-parallel", &["thread", "memo", "run", "sort"]),
+    ("luxel-parallel", &["single_thread", "pool", "thread", "memo", "run", "sort"]),
     (
         "luxel-batch",
         &[

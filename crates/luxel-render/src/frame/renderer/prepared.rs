@@ -3,7 +3,7 @@
 use super::{Renderer, Workers};
 use crate::polygons::Polygons;
 use luxel_math::Level;
-use luxel_parallel::Memo;
+use luxel_parallel::{Memo, ThreadPool};
 use luxel_rays::MeshTrees;
 use luxel_scene::{CoplanarRanks, Object, Scene};
 use luxel_visibility::{Clusters, Frames};
@@ -20,7 +20,7 @@ pub struct Prepared {
     trees: Option<MeshTrees>,
     max_memory: u64,
     level: Level,
-    pool: Option<rayon::ThreadPool>,
+    pool: Option<ThreadPool>,
     clock: fn() -> Duration,
 }
 
