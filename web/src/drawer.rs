@@ -2,7 +2,8 @@
 
 use crate::error::exception;
 use crate::view::{ModelView, execution};
-use luxel::render::{Picture, Renderer, TILE_SIDE, View};
+use luxel::lighting::{EnvironmentMap, OrientedMap};
+use luxel::render::{Picture, Renderer, TILE_SIDE};
 use std::cell::RefCell;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -19,20 +20,24 @@ extern "C" {
 
 /// A scene that another worker's view shows, drawn for it.
 #[wasm_bindgen]
-pub struct Drawer(Renderer);
+pub struct Drawer {
+    renderer: Renderer,
+    map: Option<Arc<EnvironmentMap>>,
+}
 
 #[wasm_bindgen]
 impl Drawer {
-    /// A scene of [`ModelView::pack_scene`] without some of its objects.
+    /// A scene of [`ModelView::pack_scene`] without some of its objects, and the map of [`ModelView::pack_map`].
     ///
     /// # Errors
     /// An exception for other bytes.
     #[wasm_bindgen(constructor)]
-    pub fn new(scene: &[u8], hidden: Vec<u32>) -> Result<Self, JsError> {
+    pub fn new(scene: &[u8], hidden: Vec<u32>, map: Option<Vec<u8>>) -> Result<Self, JsError> {
         let scene = Arc::new(luxel::unpack(scene).map_err(exception)?);
         let mut renderer = Renderer::new(scene, &execution()).map_err(exception)?;
         show_all_but(&mut renderer, &hidden);
-        Ok(Self(renderer))
+        let map = map.map(|map| luxel::unpack_map(&map)).transpose().map_err(exception)?;
+        Ok(Self { renderer, map: map.map(Arc::new) })
     }
 
     /// Draws a share of the picture of a view of [`ModelView::pack`] into `pixels`: of rows of tiles, which are 64 pixels
@@ -47,7 +52,7 @@ impl Drawer {
         parts: usize,
         pixels: &Pixels,
     ) -> Result<(), JsError> {
-        draw_part(&self.0, view, part, parts, pixels)
+        draw_part((&self.renderer, self.map.as_ref()), view, (part, parts), pixels)
     }
 }
 
@@ -64,18 +69,28 @@ impl ModelView {
         parts: usize,
         pixels: &Pixels,
     ) -> Result<(), JsError> {
-        draw_part(&self.renderer, view, part, parts, pixels)
+        let map = self.view.environment.map().map(OrientedMap::map);
+        draw_part((&self.renderer, map), view, (part, parts), pixels)
     }
 
-    /// The view as it is now, for drawers: with another number of samples than its own if that isn't 0; a draft has
+    /// The view as it is now but for the map of its environment, for drawers: with another number of samples than its own if that isn't 0; a draft has
     /// one and casts no rays.
     pub fn pack(&self, is_draft: bool, samples: u32) -> Vec<u8> {
-        luxel::pack_view(&if is_draft { self.draft_view() } else { self.sampled(samples) })
+        luxel::pack_view_without_map(&if is_draft {
+            self.draft_view()
+        } else {
+            self.sampled(samples)
+        })
     }
 
     /// The scene with the settings' materials and normals, for drawers.
     pub fn pack_scene(&self) -> Vec<u8> {
         luxel::pack(self.renderer.scene())
+    }
+
+    /// The map of the view's environment, for drawers, if it has one.
+    pub fn pack_map(&self) -> Option<Vec<u8>> {
+        self.view.environment.map().map(|map| luxel::pack_map(map.map()))
     }
 }
 
@@ -92,13 +107,12 @@ thread_local! {
 }
 
 fn draw_part(
-    renderer: &Renderer,
+    (renderer, map): (&Renderer, Option<&Arc<EnvironmentMap>>),
     view: &[u8],
-    part: usize,
-    parts: usize,
+    (part, parts): (usize, usize),
     pixels: &Pixels,
 ) -> Result<(), JsError> {
-    let view: View = luxel::unpack_view(view).map_err(exception)?;
+    let view = luxel::unpack_view_with_map(view, map).map_err(exception)?;
     let parts = parts.max(1);
     let width = view.size.width as usize;
     let across = width.div_ceil(TILE_SIDE as usize);

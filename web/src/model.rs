@@ -2,8 +2,12 @@
 
 use crate::describe::describe;
 use crate::error::exception;
+use luxel::lighting::EnvironmentMap;
 use luxel::scene::{Scene, demos};
 use serde_json::{Value, json};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
@@ -12,7 +16,11 @@ use wasm_bindgen::prelude::*;
 pub struct Model {
     scene: Arc<Scene>,
     warnings: Vec<String>,
+    environments: Environments,
 }
+
+/// The maps that settings may name as environments, by the names of their files: those of a model and of its views.
+pub(crate) type Environments = Rc<RefCell<BTreeMap<String, Arc<EnvironmentMap>>>>;
 
 #[wasm_bindgen]
 impl Model {
@@ -23,7 +31,7 @@ impl Model {
     pub fn unpack(scene: &[u8], warnings: &str) -> Result<Self, JsError> {
         let scene = Arc::new(luxel::unpack(scene).map_err(exception)?);
         let warnings = serde_json::from_str(warnings).map_err(exception)?;
-        Ok(Self { scene, warnings })
+        Ok(Self { scene, warnings, environments: Environments::default() })
     }
 
     /// A built-in scene.
@@ -35,13 +43,28 @@ impl Model {
             let names: Vec<_> = demos::names().into_iter().map(|(name, _)| name).collect();
             return Err(exception(format!("there is no demo `{name}`: use {}", names.join(", "))));
         };
-        Ok(Self { scene: Arc::new(scene), warnings: Vec::new() })
+        Ok(Self {
+            scene: Arc::new(scene),
+            warnings: Vec::new(),
+            environments: Environments::default(),
+        })
     }
 
     /// The built-in scenes: a JSON list of `name` and `about`.
     pub fn demos() -> String {
         let demo = |(name, about): (&str, &str)| json!({ "name": name, "about": about });
         Value::from_iter(demos::names().into_iter().map(demo)).to_string()
+    }
+
+    /// Adds a map that the readers' module packed: the setting `environment` may have its name, which comes back.
+    ///
+    /// # Errors
+    /// An exception for other bytes.
+    pub fn add_environment(&self, map: &[u8]) -> Result<String, JsError> {
+        let map = luxel::unpack_map(map).map_err(exception)?;
+        let name = map.name().to_owned();
+        self.environments.borrow_mut().insert(name.clone(), Arc::new(map));
+        Ok(name)
     }
 
     /// What is in it, as JSON: counts, bounds, objects, materials, lights, cameras, warnings.
@@ -53,5 +76,9 @@ impl Model {
 impl Model {
     pub(crate) fn scene(&self) -> &Arc<Scene> {
         &self.scene
+    }
+
+    pub(crate) fn environments(&self) -> &Environments {
+        &self.environments
     }
 }

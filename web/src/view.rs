@@ -2,9 +2,9 @@
 
 use crate::drawer::show_all_but;
 use crate::error::exception;
-use crate::model::Model;
+use crate::model::{Environments, Model};
 use crate::motion::FIRST_MODE;
-use luxel::lighting::PictureEncoding;
+use luxel::lighting::{EnvironmentMap, PictureEncoding};
 use luxel::navigation::{Log, Settings as Motion, State};
 use luxel::pick::Picker;
 use luxel::render::{
@@ -13,6 +13,7 @@ use luxel::render::{
 };
 use luxel::scene::{Bounds, Scene};
 use luxel::{CameraChoice, Settings};
+use std::rc::Rc;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
@@ -24,6 +25,7 @@ const MOST_MEMORY: u64 = 1 << 30;
 pub struct ModelView {
     /// As it was read, without the changes of settings.
     pub(crate) model: Arc<Scene>,
+    environments: Environments,
     /// What settings say; none for a view that was packed.
     pub(crate) settings: Settings,
     /// Materials and normals are those of these settings.
@@ -54,7 +56,8 @@ impl ModelView {
     pub fn new(scene: &[u8], view: &[u8]) -> Result<Self, JsError> {
         let scene = Arc::new(luxel::unpack(scene).map_err(exception)?);
         let view = luxel::unpack_view(view).map_err(exception)?;
-        Self::start_with(&scene, Arc::clone(&scene), Settings::default(), view)
+        let model = (&scene, &Environments::default());
+        Self::start_with(model, Arc::clone(&scene), Settings::default(), view)
     }
 
     /// The view of a model that settings describe: a JSON list of pairs, the name of a flag of `luxel render` and
@@ -63,21 +66,21 @@ impl ModelView {
     /// # Errors
     /// An exception for settings that aren't possible.
     pub fn of(model: &Model, settings: &str) -> Result<Self, JsError> {
-        let settings = read_settings(settings)?;
+        let settings = read_settings(settings, model.environments())?;
         let scene = surfaced(model.scene(), &settings)?;
         let view = settings.view(&scene).map_err(exception)?;
-        Self::start_with(model.scene(), scene, settings, view)
+        Self::start_with((model.scene(), model.environments()), scene, settings, view)
     }
 
     /// Replaces all settings. A camera that was moved by hand stays where it is, unless the settings choose
     /// another one than before.
     ///
-    /// True if the scene has other surfaces then, which drawers need anew.
+    /// True if surfaces or the map of the environment are others then, which drawers need anew.
     ///
     /// # Errors
     /// An exception for settings that aren't possible; the view is then as before.
     pub fn set(&mut self, settings: &str) -> Result<bool, JsError> {
-        let settings = read_settings(settings)?;
+        let settings = read_settings(settings, &self.environments)?;
         let changes_surfaces = differ(&settings, &self.surfaces)?;
         let scene = match changes_surfaces {
             true => surfaced(&self.model, &settings)?,
@@ -91,6 +94,7 @@ impl ModelView {
             self.picker = None;
             show_all_but(&mut self.renderer, &self.hidden);
         }
+        let changes_map = map_of(&view) != map_of(&self.view);
         let keeps_camera = self.is_moved && choice == self.choice;
         let camera = self.view.camera;
         self.start = view.clone();
@@ -103,7 +107,7 @@ impl ModelView {
         } else {
             self.rest();
         }
-        Ok(changes_surfaces)
+        Ok(changes_surfaces || changes_map)
     }
 
     /// Hides objects, by their places in the model's list, and shows all others.
@@ -198,7 +202,7 @@ impl ModelView {
 impl ModelView {
     /// The view of a scene, whose surfaces have the settings' changes already.
     fn start_with(
-        model: &Arc<Scene>,
+        (model, environments): (&Arc<Scene>, &Environments),
         scene: Arc<Scene>,
         settings: Settings,
         view: View,
@@ -211,6 +215,7 @@ impl ModelView {
         let state = State::new(FIRST_MODE, &view.camera.view_from_world, choice.pivot(&scene));
         let mut view = Self {
             model: Arc::clone(model),
+            environments: Rc::clone(environments),
             surfaces: settings.clone(),
             settings,
             renderer,
@@ -260,10 +265,23 @@ pub(crate) fn execution() -> Execution {
     Execution { max_memory: MOST_MEMORY, ..Execution::default() }
 }
 
-/// Settings of a JSON list of pairs.
-pub(crate) fn read_settings(text: &str) -> Result<Settings, JsError> {
+/// Settings of a JSON list of pairs, with the map that they name.
+fn read_settings(text: &str, environments: &Environments) -> Result<Settings, JsError> {
     let pairs: Vec<(String, String)> = serde_json::from_str(text).map_err(exception)?;
-    Settings::new(pairs).map_err(exception)
+    let mut settings = Settings::new(pairs).map_err(exception)?;
+    if let Some(file) = settings.environment_file().map_err(exception)? {
+        let name = file.to_string_lossy();
+        let map = environments.borrow().get(&*name).cloned();
+        let add =
+            || exception(format!("`environment`: {name} is a file: add it to the scene first"));
+        settings.set_environment_map(map.ok_or_else(add)?);
+    }
+    Ok(settings)
+}
+
+/// The map of a view's environment, known by its place in memory.
+fn map_of(view: &View) -> Option<*const EnvironmentMap> {
+    view.environment.map().map(|map| Arc::as_ptr(map.map()))
 }
 
 /// A scene with the settings' materials and normals.

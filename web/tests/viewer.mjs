@@ -258,6 +258,59 @@ test("a dropped model is shown, turned and explained, and stays in the page", as
   });
 });
 
+/** A picture of an environment in Radiance's format: bright on one side, blue above. */
+function radiance(width, height) {
+  const texels = Buffer.alloc(4 * width * height);
+  for (let at = 0; at < width * height; at++) {
+    const [x, y] = [at % width, Math.floor(at / width)];
+    texels.set([60 + 190 * (x < width / 3), 80 + y, 200 - 3 * y, 129], 4 * at);
+  }
+  return Buffer.concat([Buffer.from(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${height} +X ${width}\n`), texels]);
+}
+
+test("a picture of an environment surrounds the scene, turns, and has the bytes of the program", async () => {
+  const sky = join(work, "sky.hdr");
+  writeFileSync(sky, radiance(64, 32));
+  const flags = ["--size", "320x240", "--samples", "1", "--environment", sky];
+  await withViewer("#demo=spheres&size=320x240&samples=1", async (page) => {
+    const before = await pixelsOf(page);
+    await page.setInputFiles("#files", sky);
+    await page.waitForFunction(() => document.querySelector("#command").textContent.includes("--environment sky.hdr"));
+    const surrounded = await pixelsOf(page);
+    assert.ok(!surrounded.equals(before));
+    assert.ok(surrounded.equals(pixelsOfProgram(program, "demo:spheres", flags)));
+    const terms = await page.evaluate(() => window.luxel.explain(100, 120));
+    const explained = execFileSync(program, ["explain", "demo:spheres", "--at", "100,120", "--json", ...flags]);
+    assert.deepEqual(terms.samples[0].environment, JSON.parse(explained).samples[0].environment);
+    await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
+    await page.getByLabel("turned °").last().fill("40");
+    await page.getByLabel("environment behind").check();
+    await page.waitForFunction(() => /--environment-rotation 40.*--environment-background|--environment-background.*--environment-rotation 40/.test(document.querySelector("#command").textContent));
+    const turned = pixelsOfProgram(program, "demo:spheres", [...flags, "--environment-rotation", "40", "--environment-background"]);
+    assert.ok((await pixelsOf(page)).equals(turned));
+    await page.click("#link");
+    assert.ok(!page.url().includes("environment"), `${page.url()} names a file`);
+    await page.selectOption("label:text-is('environment') + span select", "none");
+    await page.waitForFunction(() => document.querySelector("#command").textContent.includes("--environment none"));
+    assert.equal(await page.getByLabel("turned °").count(), 0);
+    const damaged = join(work, "damaged.hdr");
+    writeFileSync(damaged, radiance(64, 32).subarray(0, 300));
+    await page.setInputFiles("#files", damaged);
+    await page.waitForSelector("#message:not([hidden])");
+    assert.match(await page.locator("#message").textContent(), /damaged\.hdr/);
+    const named = await page.evaluate(async (bytes) => {
+      const { demo } = await import("./luxel/luxel.js");
+      const scene = await demo("teapot");
+      const { name, warnings } = await scene.addEnvironment(Uint8Array.from(bytes));
+      const unknown = await scene.view({ environment: "other.hdr" }).then(() => "no error", (error) => error.message);
+      await scene.view({ environment: name, reflection: "mirror" });
+      scene.dispose();
+      return [name, warnings.length, unknown];
+    }, [...radiance(16, 8)]);
+    assert.deepEqual(named, ["environment.hdr", 0, "`environment`: other.hdr is a file: add it to the scene first"]);
+  });
+});
+
 for (const name of ["Fox.glb", "BoxTextured.glb", "CesiumMilkTruck.glb"]) {
   const file = models && [join(models, name), join(models, "gltf", name)].find((path) => existsSync(path));
   if (!file) continue;

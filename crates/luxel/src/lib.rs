@@ -74,7 +74,10 @@ pub use luxel_scene as scene;
 pub use luxel_view as view;
 pub use luxel_view::DEFAULT_SAMPLES;
 #[cfg(feature = "packed")]
-pub use packed::{UnpackError, pack, pack_view, unpack, unpack_view};
+pub use packed::{
+    UnpackError, pack, pack_map, pack_view, pack_view_without_map, unpack, unpack_map, unpack_view,
+    unpack_view_with_map,
+};
 pub use settings::{SETTINGS, SettingError, Settings};
 
 /// The types that most programs need.

@@ -2,7 +2,7 @@
 
 mod soundness;
 
-use luxel_lighting::Fog;
+use luxel_lighting::{EnvironmentMap, Fog};
 use luxel_scene::{
     Background, DVec3, EnvironmentChoice, Image, Meshes, Node, Sampler, Scene, SceneCamera,
     SceneLight, SceneMaterial, Texture,
@@ -120,7 +120,60 @@ pub fn pack_view(view: &View) -> Vec<u8> {
 /// # Errors
 /// [`UnpackError`] if [`pack_view`] of this version didn't make them.
 pub fn unpack_view(bytes: &[u8]) -> Result<View, UnpackError> {
-    value_of(bytes)
+    let view: View = value_of(bytes)?;
+    soundness::check_environment(&view.environment).map_err(UnpackError::Dangling)?;
+    Ok(view)
+}
+
+/// How the map that a view lacks stands in its world: right, up and front, and degrees about up.
+type Orientation = ([DVec3; 3], f64);
+
+/// A view as bytes, but for the map of its environment: for many views with one map of many megabytes, which
+/// [`pack_map`] packs once.
+#[must_use]
+pub fn pack_view_without_map(view: &View) -> Vec<u8> {
+    let orientation: Option<Orientation> = view
+        .environment
+        .map()
+        .map(|map| (map.frame().map(DVec3::from_array), map.rotation_degrees()));
+    match orientation {
+        Some(_) => {
+            bytes_of(&(view.clone().with_environment(EnvironmentChoice::default()), orientation))
+        }
+        None => bytes_of(&(view, orientation)),
+    }
+}
+
+/// The view of some bytes, with the map that it had.
+///
+/// # Errors
+/// [`UnpackError`] if [`pack_view_without_map`] of this version didn't make them, and where the view had a map and none
+/// is given.
+pub fn unpack_view_with_map(
+    bytes: &[u8],
+    map: Option<&Arc<EnvironmentMap>>,
+) -> Result<View, UnpackError> {
+    let (view, orientation): (View, Option<Orientation>) = value_of(bytes)?;
+    soundness::check_environment(&view.environment).map_err(UnpackError::Dangling)?;
+    let Some((frame, degrees)) = orientation else { return Ok(view) };
+    let map = map.ok_or_else(|| UnpackError::Dangling("the view's environment".to_owned()))?;
+    Ok(view.with_environment(EnvironmentChoice::of_map(Arc::clone(map), frame, degrees)))
+}
+
+/// The map of an environment as bytes, which [`unpack_map`] of the same version reads.
+#[must_use]
+pub fn pack_map(map: &EnvironmentMap) -> Vec<u8> {
+    bytes_of(map)
+}
+
+/// The map of some bytes.
+///
+/// # Errors
+/// [`UnpackError`] if [`pack_map`] of this version didn't make them.
+pub fn unpack_map(bytes: &[u8]) -> Result<EnvironmentMap, UnpackError> {
+    let map: EnvironmentMap = value_of(bytes)?;
+    soundness::check_map(&map).map_err(UnpackError::Dangling)?;
+    Ok(map)
 }
 
 fn bytes_of(value: &impl Serialize) -> Vec<u8> {

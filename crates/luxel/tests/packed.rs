@@ -1,9 +1,14 @@
 //! Scenes and views survive the way through bytes.
 
 use luxel::formats::{Limits, open};
+use luxel::lighting::{EnvironmentMap, EquirectangularImage};
 use luxel::render::{Execution, Renderer, View};
-use luxel::scene::{MeshId, Node, Scene, SceneMaterial, Size, demos};
-use luxel::{UnpackError, pack, pack_view, unpack, unpack_view};
+use luxel::scene::{EnvironmentChoice, MeshId, Node, Scene, SceneMaterial, Size, Viewpoint, demos};
+use luxel::{
+    UnpackError, pack, pack_map, pack_view, pack_view_without_map, unpack, unpack_map, unpack_view,
+    unpack_view_with_map,
+};
+use std::sync::Arc;
 
 fn pixels(scene: Scene, view: &View) -> Vec<[u8; 4]> {
     let execution = Execution { threads: 1, ..Execution::default() };
@@ -74,6 +79,52 @@ fn damaged_bytes_are_errors_and_never_panics() {
                 // Sound enough to be drawn.
                 pixels(scene, &view);
             }
+        }
+    }
+}
+
+/// A small map with light from one side.
+fn sky() -> EnvironmentMap {
+    let light = (0..128).map(|texel| [texel as f32 / 64.0, 0.5, 1.0]).collect();
+    EnvironmentMap::new("sky.hdr", EquirectangularImage { width: 16, height: 8, light })
+}
+
+#[test]
+fn a_map_goes_apart_from_the_views_that_have_it() {
+    let scene = demos::demo("spheres").expect("a demo");
+    let map = Arc::new(sky());
+    let frame = Viewpoint::frame(scene.up);
+    let view = luxel::default_view(&scene, Size { width: 120, height: 80 })
+        .with_environment(EnvironmentChoice::of_map(Arc::clone(&map), frame, 30.0));
+    let whole = unpack_view(&pack_view(&view)).expect("a view");
+    let bytes = pack_view_without_map(&view);
+    assert!(bytes.len() < 2000, "{} bytes", bytes.len());
+    let again = Arc::new(unpack_map(&pack_map(&map)).expect("a map"));
+    assert_eq!(again.name(), "sky.hdr");
+    let same = unpack_view_with_map(&bytes, Some(&again)).expect("a view");
+    let expected = pixels(scene.clone(), &view);
+    assert!(pixels(scene.clone(), &whole) == expected, "the map was packed otherwise");
+    assert!(pixels(scene.clone(), &same) == expected, "the map was put back otherwise");
+    let without = view.clone().with_environment(EnvironmentChoice::default());
+    assert!(pixels(scene, &without) != expected, "the map changes nothing");
+    let error = unpack_view_with_map(&bytes, None).expect_err("there is no map");
+    assert!(matches!(error, UnpackError::Dangling(_)), "{error}");
+    let plain = pack_view_without_map(&without);
+    assert_eq!(unpack_view_with_map(&plain, None).expect("a view"), without);
+}
+
+#[test]
+fn damaged_maps_are_errors_and_never_panics() {
+    let bytes = pack_map(&sky());
+    for end in (0..bytes.len()).step_by(997) {
+        assert!(unpack_map(&bytes[..end]).is_err(), "cut off at {end}");
+    }
+    // The name, how many squares there are, and the first one's side and count of texels.
+    for at in 0..60 {
+        for flip in [1, 0x40, 0x80, 0xff] {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= flip;
+            let _ = unpack_map(&damaged).is_ok_and(|map| map.is_sound());
         }
     }
 }

@@ -18,6 +18,9 @@ export interface ModelFiles {
   files: Map<string, Uint8Array<ArrayBuffer>>;
 }
 
+/** The first bytes of OpenEXR files. */
+const EXR = [0x76, 0x2f, 0x31, 0x01];
+
 const MODELS = ["glb", "gltf", "obj", "stl", "ply", "toml"];
 
 /** The part of a name after its last point, in small letters. */
@@ -29,6 +32,11 @@ export function extension(path: string): string {
 /** Whether luxel reads models with such a name. */
 export function isModel(path: string): boolean {
   return MODELS.includes(extension(path));
+}
+
+/** Whether luxel reads pictures of environments with such a name. */
+export function isEnvironment(path: string): boolean {
+  return ["hdr", "exr"].includes(extension(path));
 }
 
 /** A copy, so that the worker may take it over. */
@@ -103,11 +111,34 @@ async function fetched(url: URL): Promise<Uint8Array<ArrayBuffer>> {
   return new Uint8Array(await response.arrayBuffer());
 }
 
+/** The last part of an address, as the name of a file. */
+function nameOf(url: URL): string {
+  return decodeURIComponent(url.pathname.slice(url.pathname.lastIndexOf("/") + 1));
+}
+
+/** The picture of an environment: its name, made up where there is none, and its bytes. */
+export async function environmentOf(
+  source: string | URL | Blob | ArrayBuffer | Uint8Array,
+): Promise<[name: string, bytes: Uint8Array<ArrayBuffer>]> {
+  let name = source instanceof File ? source.name : "environment";
+  let bytes: Uint8Array<ArrayBuffer>;
+  if (typeof source === "string" || source instanceof URL) {
+    const url = new URL(source, location.href);
+    name = nameOf(url);
+    bytes = await fetched(url);
+  } else {
+    bytes = await bytesOf(source);
+  }
+  if (isEnvironment(name)) return [name, bytes];
+  const isExr = EXR.every((byte, at) => bytes[at] === byte);
+  return [`${name}.${isExr ? "exr" : "hdr"}`, bytes];
+}
+
 /** The files behind an address: the model and what it refers to in its folder. What isn't there is left out. */
 async function ofAddress(address: string | URL): Promise<ModelFiles> {
   const url = new URL(address, location.href);
   const folder = new URL(".", url);
-  const path = decodeURIComponent(url.pathname.slice(url.pathname.lastIndexOf("/") + 1));
+  const path = nameOf(url);
   const files = new Map([[path, await fetched(url)]]);
   const open = [path];
   for (let from = open.pop(); from !== undefined; from = open.pop()) {

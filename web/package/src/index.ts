@@ -18,13 +18,13 @@
 
 import type { Demo, Description, Vocabulary } from "./answers.ts";
 import { leader, type Hand } from "./crew.ts";
-import { filesOf, type Source } from "./files.ts";
+import { environmentOf, filesOf, type Source } from "./files.ts";
 import { pairs, type Settings } from "./settings.ts";
 import { View } from "./view.ts";
 
 export type * from "./answers.ts";
 export { configure, drawers, LuxelError, WorkerEndedError, type Options } from "./crew.ts";
-export { isModel, modelAmong, type Source } from "./files.ts";
+export { isEnvironment, isModel, modelAmong, type Source } from "./files.ts";
 export type { CameraState, NavigationEvent, Pixels } from "./protocol.ts";
 export { pairs, type Settings, type SettingValue } from "./settings.ts";
 export { View, type DrawOptions } from "./view.ts";
@@ -58,6 +58,21 @@ export class Scene {
     return view;
   }
 
+  /**
+   * Reads a picture of an environment, HDR or EXR: a `File`, bytes, or an address. Its name is for the setting
+   * `environment` of the scene's views.
+   *
+   * Rejects with a `LuxelError` that says what is wrong where, if it is damaged or too large.
+   */
+  async addEnvironment(
+    source: string | URL | Blob | ArrayBuffer | Uint8Array,
+    { maxMemory = MOST_MEMORY }: LoadOptions = {},
+  ): Promise<AddedEnvironment> {
+    const [path, bytes] = await environmentOf(source);
+    const read = await this.#hand.call("addEnvironment", [this.#id, path, bytes, maxMemory], [bytes.buffer]);
+    return { name: read.name, warnings: JSON.parse(read.warnings) };
+  }
+
   /** Frees the scene and its views in all workers. */
   dispose(): void {
     for (const view of [...this.#views]) {
@@ -72,10 +87,20 @@ export class Scene {
   }
 }
 
-/** How a model is read. */
+/** How a file is read. */
 export interface LoadOptions {
-  /** Bytes that the model may take in memory; 1 GB by default. */
+  /** Bytes that its content may take in memory; 1 GB by default. */
   maxMemory?: number;
+}
+
+const MOST_MEMORY = 1 << 30;
+
+/** An environment that views of a scene may have. */
+export interface AddedEnvironment {
+  /** The value of the setting `environment`. */
+  name: string;
+  /** What is odd in its file. */
+  warnings: string[];
 }
 
 /**
@@ -83,7 +108,7 @@ export interface LoadOptions {
  *
  * Rejects with a `LuxelError` that says what is wrong where, if it is damaged or too large.
  */
-export async function load(source: Source, { maxMemory = 1 << 30 }: LoadOptions = {}): Promise<Scene> {
+export async function load(source: Source, { maxMemory = MOST_MEMORY }: LoadOptions = {}): Promise<Scene> {
   const hand = leader();
   const [{ path, files }] = await Promise.all([filesOf(source), hand.ready]);
   const list = [...files];

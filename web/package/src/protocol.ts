@@ -47,7 +47,12 @@ export interface PackedScene {
   version: number;
   scene: Uint8Array<ArrayBuffer>;
   hidden: number[];
+  /** The map of its environment. */
+  map: Uint8Array<ArrayBuffer> | undefined;
 }
+
+/** Files by their paths. */
+export type Files = [path: string, bytes: Uint8Array<ArrayBuffer>][];
 
 /** The calls that a worker answers. */
 export interface Calls {
@@ -55,12 +60,13 @@ export interface Calls {
   demos(): string;
   vocabulary(): string;
   demo(id: number, name: string): string;
-  read(
+  read(id: number, path: string, files: Files, maxMemory: number): string;
+  addEnvironment(
     id: number,
     path: string,
-    files: [path: string, bytes: Uint8Array<ArrayBuffer>][],
+    bytes: Uint8Array<ArrayBuffer>,
     maxMemory: number,
-  ): string;
+  ): { name: string; warnings: string };
   freeModel(id: number): void;
   open(id: number, model: number, settings: string): void;
   close(id: number): void;

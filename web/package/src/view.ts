@@ -256,7 +256,8 @@ export class View {
   async #prepare(hand: Hand): Promise<number> {
     await hand.ready;
     const packed = await this.#hand.call("packedScene", [this.#id]);
-    await hand.call("prepare", [this.#id, packed], [packed.scene.buffer]);
+    const buffers = packed.map ? [packed.scene.buffer, packed.map.buffer] : [packed.scene.buffer];
+    await hand.call("prepare", [this.#id, packed], buffers);
     return packed.version;
   }
 

@@ -2,7 +2,7 @@
 
 import initialize, { Drawer, Model, ModelView } from "../wasm/luxel.js";
 import type * as Readers from "../wasm/readers.js";
-import type { CallName, Calls, CameraState, Pixels, Request, Response } from "./protocol.ts";
+import type { CallName, Calls, CameraState, Files, Pixels, Request, Response } from "./protocol.ts";
 
 interface OpenView {
   view: ModelView;
@@ -36,6 +36,27 @@ async function readersModule(): Promise<typeof Readers> {
   } catch (error) {
     readers = undefined;
     throw error;
+  }
+}
+
+/** What a reader makes of a file and those that it refers to. */
+async function readWith(
+  reader: "read" | "read_environment",
+  path: string,
+  list: Files,
+  maxMemory: number,
+): Promise<{ bytes: Uint8Array; warnings: string }> {
+  const module = await readersModule();
+  const files = new module.Files();
+  for (const [name, bytes] of list) {
+    files.add(name, bytes);
+  }
+  // The reader takes the files, and frees them.
+  const read = module[reader](path, files, maxMemory);
+  try {
+    return { bytes: read.take_bytes(), warnings: read.warnings };
+  } finally {
+    read.free();
   }
 }
 
@@ -77,21 +98,17 @@ const answers: Answers = {
     return model.describe();
   },
 
-  async read(id, path, list, maxMemory) {
-    const module = await readersModule();
-    const files = new module.Files();
-    for (const [name, bytes] of list) {
-      files.add(name, bytes);
-    }
-    // `read` takes the files, and frees them.
-    const read = module.read(path, files, maxMemory);
-    try {
-      const model = Model.unpack(read.take_scene(), read.warnings);
-      models.set(id, model);
-      return model.describe();
-    } finally {
-      read.free();
-    }
+  async read(id, path, files, maxMemory) {
+    const { bytes, warnings } = await readWith("read", path, files, maxMemory);
+    const model = Model.unpack(bytes, warnings);
+    models.set(id, model);
+    return model.describe();
+  },
+
+  async addEnvironment(id, path, bytes, maxMemory) {
+    const read = await readWith("read_environment", path, [[path, bytes]], maxMemory);
+    const name = got(models, id, "scene").add_environment(read.bytes);
+    return { name, warnings: read.warnings };
   },
 
   freeModel(id) {
@@ -146,7 +163,8 @@ const answers: Answers = {
 
   packedScene(id) {
     const { view, version, hidden } = got(views, id, "view");
-    return { version, scene: view.pack_scene() as Uint8Array<ArrayBuffer>, hidden };
+    const map = view.pack_map() as Uint8Array<ArrayBuffer> | undefined;
+    return { version, scene: view.pack_scene() as Uint8Array<ArrayBuffer>, hidden, map };
   },
 
   layer(id, name) {
@@ -191,10 +209,10 @@ const answers: Answers = {
     }
   },
 
-  prepare(id, { version, scene, hidden }) {
+  prepare(id, { version, scene, hidden, map }) {
     drawers.get(id)?.drawer.free();
     drawers.delete(id);
-    drawers.set(id, { drawer: new Drawer(scene, Uint32Array.from(hidden)), version });
+    drawers.set(id, { drawer: new Drawer(scene, Uint32Array.from(hidden), map), version });
   },
 
   draw(id, version, view, part, parts, into) {

@@ -3,7 +3,7 @@
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 
-use luxel::formats::{GivenFiles, Limits, Loaded, open};
+use luxel::formats::{Error, GivenFiles, Limits, Loaded, Warning, open, open_environment};
 use std::path::{Path, PathBuf};
 use wasm_bindgen::prelude::*;
 
@@ -38,18 +38,18 @@ impl Files {
     }
 }
 
-/// A model that was read, packed for the module that draws.
+/// What was read of a file, packed for the module that draws.
 #[wasm_bindgen]
-pub struct ReadModel {
-    scene: Vec<u8>,
+pub struct Packed {
+    bytes: Vec<u8>,
     warnings: String,
 }
 
 #[wasm_bindgen]
-impl ReadModel {
-    /// The scene.
-    pub fn take_scene(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.scene)
+impl Packed {
+    /// The scene, or the map of an environment.
+    pub fn take_bytes(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.bytes)
     }
 
     /// What is odd in the file: a JSON list of texts.
@@ -59,23 +59,45 @@ impl ReadModel {
     }
 }
 
+impl Packed {
+    fn new(bytes: Vec<u8>, warnings: &[Warning]) -> Self {
+        let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+        Self { bytes, warnings: serde_json::Value::from(texts).to_string() }
+    }
+}
+
 /// Reads a model; the extension of its path decides the format. `max_memory` bounds the bytes that it may take.
 ///
 /// # Errors
 /// An exception with the place in the file, if it is damaged or exceeds the limit.
 #[wasm_bindgen]
-pub fn read(path: &str, files: Files, max_memory: f64) -> Result<ReadModel, JsError> {
+pub fn read(path: &str, files: Files, max_memory: f64) -> Result<Packed, JsError> {
+    // The files are no longer needed after it: packing takes as much memory.
+    let Loaded { scene, warnings, .. } =
+        within(files, max_memory, |limits| open(Path::new(path), limits))?;
+    Ok(Packed::new(luxel::pack(&scene), &warnings))
+}
+
+/// Reads a picture of an environment, HDR or EXR; its path is the map's name. `max_memory` bounds the bytes that it may
+/// take.
+///
+/// # Errors
+/// An exception with the place in the file, if it is damaged or exceeds the limit.
+#[wasm_bindgen]
+pub fn read_environment(path: &str, files: Files, max_memory: f64) -> Result<Packed, JsError> {
+    let loaded = within(files, max_memory, |limits| open_environment(Path::new(path), limits))?;
+    Ok(Packed::new(luxel::pack_map(&loaded.map), &loaded.warnings))
+}
+
+fn within<T>(
+    files: Files,
+    max_memory: f64,
+    read: impl FnOnce(&Limits) -> Result<T, Error>,
+) -> Result<T, JsError> {
     let limits = Limits {
         max_memory: max_memory as u64,
         given: Some(GivenFiles::new(files.0)),
         ..Limits::default()
     };
-    let loaded = open(Path::new(path), &limits);
-    let Loaded { scene, warnings, .. } =
-        loaded.map_err(|error| JsError::new(&error.to_string()))?;
-    // The files are no longer needed, and packing takes as much memory.
-    drop(limits);
-    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-    let warnings = serde_json::Value::from(warnings).to_string();
-    Ok(ReadModel { scene: luxel::pack(&scene), warnings })
+    read(&limits).map_err(|error| JsError::new(&error.to_string()))
 }

@@ -41,6 +41,13 @@ export function writeLink(demo: string | undefined, settings: Settings): string 
   return `#${parameters.toString().replace(/%2C/g, ",").replace(/%3A/g, ":").replace(/%3D/g, "=").replace(/%2F/g, "/")}`;
 }
 
+/** Settings without environments that are files, which a link can't hold. */
+export function withoutFiles(settings: Settings, files: readonly string[]): Settings {
+  if (!files.includes(String(settings["environment"]))) return settings;
+  const { environment: _, "environment-rotation": __, "environment-background": ___, ...others } = settings;
+  return others;
+}
+
 /** A word as a shell reads it. */
 function quoted(word: string): string {
   return /^[A-Za-z0-9_.,:=/@%+-]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`;

@@ -64,15 +64,25 @@ export function showSurface(
   panel.replaceChildren(element("div", { class: "fields" }, ...rows), help, reset);
 }
 
-/** Shadows, occlusion, exposure and samples. */
+/** Shadows, occlusion, exposure, samples and the environment, which may be one of the `environments` that were opened. */
 export function showPicture(
   panel: HTMLElement,
   settings: PageSettings,
   vocabulary: Vocabulary,
+  environments: readonly string[],
   changed: () => void,
 ): void {
   const flag = (name: string, label: string): HTMLElement =>
     switchOf(label, settings[name] !== undefined, (isOn) => set(settings, name, isOn, changed));
+  const environment = settings["environment"] as string | undefined;
+  const turned = numberRow({
+    label: "turned °",
+    value: Number(settings["environment-rotation"] ?? 0),
+    min: -180,
+    max: 180,
+    step: 1,
+    change: (degrees) => set(settings, "environment-rotation", degrees === 0 ? undefined : String(degrees), changed),
+  });
   const rows = [
     ...choiceRow("samples", ["1", "2", "4", "8", "16"], String(settings["samples"] ?? "4"), (value) =>
       set(settings, "samples", value === "4" ? undefined : value, changed),
@@ -86,9 +96,12 @@ export function showPicture(
     ...choiceRow("tone", vocabulary.tones.map((one) => one.name), String(settings["tone"] ?? "none"), (value) =>
       set(settings, "tone", value === "none" ? undefined : value, changed),
     ),
-    ...choiceRow("environment", ["default", "none", "studio"], String(settings["environment"] ?? "default"), (value) =>
-      set(settings, "environment", value === "default" ? undefined : value, changed),
-    ),
+    ...choiceRow("environment", ["default", "none", "studio", ...environments], environment ?? "default", (value) => {
+      if (!environments.includes(value)) delete settings["environment-rotation"];
+      set(settings, "environment", value === "default" ? undefined : value, changed);
+      showPicture(panel, settings, vocabulary, environments, changed);
+    }),
+    ...(environment !== undefined && environments.includes(environment) ? turned : []),
     ...choiceRow("faces", ["auto", "none", "back"], String(settings["cull"] ?? "auto"), (value) =>
       set(settings, "cull", value === "auto" ? undefined : value, changed),
     ),
@@ -101,6 +114,7 @@ export function showPicture(
     flag("ground", "ground"),
     flag("wireframe", "wireframe"),
     flag("edges", "edges"),
+    flag("environment-background", "environment behind"),
   );
   panel.replaceChildren(switches, element("div", { class: "fields" }, ...rows));
 }

@@ -3,13 +3,14 @@
 import {
   demo,
   demos,
+  isEnvironment,
+  isModel,
   load,
   LuxelError,
   vocabulary,
   WorkerEndedError,
   type CameraState,
   type LayerName,
-  type Ledger,
   type NavigationEvent,
   type Scene,
   type Settings,
@@ -17,13 +18,15 @@ import {
   type View,
   type Vocabulary,
 } from "luxel";
+import { Asking } from "./asking.ts";
 import { byId, element } from "./dom.ts";
 import { listenToDrops } from "./dropping.ts";
 import { Handles } from "./handles.ts";
 import { sentence, showLedger } from "./ledger.ts";
 import { lightText, parseLight, showLights, type Light } from "./lights.ts";
-import { command, readLink, writeLink } from "./link.ts";
+import { command, readLink, withoutFiles, writeLink } from "./link.ts";
 import { showVectors } from "./overlay.ts";
+import { Painting } from "./painting.ts";
 import { listen, MODES } from "./pointing.ts";
 import { showPicture, showSurface, type PageSettings } from "./surface.ts";
 import { offer } from "./testing.ts";
@@ -45,9 +48,6 @@ const LAYERS: ("picture" | LayerName)[] = [
   "openness",
 ];
 
-/** A hand that rests as long gets the complete picture, in milliseconds. */
-const REST = 140;
-
 const canvas = byId<HTMLCanvasElement>("canvas");
 const picture = byId("picture");
 const overlay = document.getElementById("overlay") as unknown as SVGElement;
@@ -63,6 +63,9 @@ let lights: Light[] = [];
 /** Whether the lights are others than the scene's. */
 let hasLights = false;
 let camera: CameraState | undefined;
+/** The environments that were opened for the scene. */
+let environments: string[] = [];
+let showPicturePanel = (): void => {};
 /** What shows the lights in their panel, and what applies them. */
 let showLightPanel = (): void => {};
 let lightsChanged = (): void => {};
@@ -74,7 +77,7 @@ const modeChoice = byId<HTMLSelectElement>("mode");
 const tree = new Tree(byId("objects"), byId<HTMLInputElement>("search"), (hidden) => {
   void attempt(async () => {
     await view?.hide(hidden);
-    redraw();
+    void painting.redraw();
   });
 });
 
@@ -131,110 +134,27 @@ function portableSettings(): Settings {
 
 // --- Drawing -------------------------------------------------------------------------------------
 
-let wanted: "nothing" | "draft" | "full" = "nothing";
-let isDrawing = false;
-let restTimer = 0;
-let pending: NavigationEvent[] = [];
-const drawnPixels = new WeakMap<HTMLCanvasElement, Uint8ClampedArray>();
-/** The picture that is shown, and the one before it, whose memory the next one takes. */
-let last: ImageData | undefined;
-let before: ImageData | undefined;
-let idle: (() => void)[] = [];
-
-function redraw(): void {
-  wanted = "full";
-  void drawLoop();
-}
-
-/** Moves the camera; the complete picture follows when the hand rests. */
-function move(...events: NavigationEvent[]): void {
-  // Of drags that wait, the last one counts.
-  for (const event of events) {
-    const last = pending.at(-1);
-    if (event[0] === "drag" && last?.[0] === "drag") pending.pop();
-    pending.push(event);
-  }
-  if (wanted === "nothing") wanted = "draft";
-  clearTimeout(restTimer);
-  restTimer = setTimeout(redraw, REST);
-  void drawLoop();
-}
-
-function shown(pixels: Uint8ClampedArray): void {
-  drawnPixels.set(canvas, pixels);
-  canvas.classList.remove("waits");
-  byId("still").hidden = true;
-  if (performance.getEntriesByName("first picture").length === 0) performance.mark("first picture");
-}
-
-async function drawLoop(): Promise<void> {
-  if (isDrawing) return;
-  isDrawing = true;
-  let current: View | undefined;
-  do {
-    current = view;
-    await attempt(() => unlessGone(current, drawAll));
-    // Another scene may have come meanwhile.
-  } while (current !== view);
-  isDrawing = false;
-  await attempt(() => handles.update());
-  showCommand();
-  const waiting = idle;
-  idle = [];
-  waiting.forEach((done) => done());
-  askAgain();
-}
-
-/** Does something with a view; fails only if the view is still the page's. */
-async function unlessGone(current: View | undefined, work: () => Promise<void>): Promise<void> {
-  try {
-    await work();
-  } catch (error) {
-    if (current === view) throw error;
-  }
-}
-
-/** Draws until nothing is wanted any more. */
-async function drawAll(): Promise<void> {
-  while (view !== undefined && (wanted !== "nothing" || pending.length > 0)) {
-    const current = view;
-    const isFull = wanted === "full" && pending.length === 0;
-    if (wanted !== "full" || isFull) wanted = "nothing";
-    if (pending.length > 0) {
-      const events = pending;
-      pending = [];
-      camera = await current.navigate(...events);
-      modeChoice.value = camera.mode;
-      if (isChecked) leaveCheck();
-    }
-    const layer = layerChoice.value as "picture" | LayerName;
-    if (layer !== "picture") {
-      const pixels = await current.layerPicture(layer);
-      if (current !== view) continue;
-      const frame = new ImageData(pixels, canvas.width, canvas.height);
-      canvas.getContext("2d")!.putImageData(frame, 0, 0);
-      shown(pixels);
-      continue;
-    }
-    if (isChecked) continue;
-    const isDraft = !isFull;
-    const image = await current.render({ draft: isDraft }, before);
-    before = undefined;
-    if (current !== view) continue;
-    if (canvas.width !== image.width) canvas.width = image.width;
-    if (canvas.height !== image.height) canvas.height = image.height;
-    canvas.getContext("2d")!.putImageData(image, 0, 0);
-    shown(image.data);
-    before = last;
-    last = image;
-  }
-}
-
-/** Waits until nothing is left to draw. */
-function settled(): Promise<void> {
-  if (!isDrawing && wanted === "nothing") return Promise.resolve();
-  return new Promise((resolve) => idle.push(resolve));
-}
+const painting = new Painting(canvas, {
+  view: () => view,
+  layer: () => layerChoice.value as "picture" | LayerName,
+  isMarked: () => isChecked,
+  attempt,
+  moved: (state) => {
+    camera = state;
+    modeChoice.value = state.mode;
+    if (isChecked) leaveCheck();
+  },
+  shown: () => {
+    canvas.classList.remove("waits");
+    byId("still").hidden = true;
+    if (performance.getEntriesByName("first picture").length === 0) performance.mark("first picture");
+  },
+  rested: async () => {
+    await attempt(() => handles.update());
+    showCommand();
+    asking.again();
+  },
+});
 
 // --- Settings -------------------------------------------------------------------------------------
 
@@ -254,8 +174,8 @@ function apply(): void {
       while (isStale && view !== undefined) {
         isStale = false;
         const current = view;
-        await unlessGone(current, () => current.set(allSettings()));
-        redraw();
+        await painting.unlessGone(current, () => current.set(allSettings()));
+        void painting.redraw();
       }
     });
     settingTimer = undefined;
@@ -268,13 +188,8 @@ function showCommand(): void {
 
 // --- Explaining -----------------------------------------------------------------------------------
 
-let kept: [number, number] | undefined;
-let pointed: [number, number] | undefined;
-let isAsking = false;
-let asked: string | undefined;
-
 /** The place of a pixel's centre over the picture, in pixels of the page. */
-function placeOf([x, y]: [number, number]): [number, number] {
+function placeOf([x, y]: readonly [number, number]): [number, number] {
   const box = canvas.getBoundingClientRect();
   const outer = picture.getBoundingClientRect();
   const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
@@ -283,12 +198,19 @@ function placeOf([x, y]: [number, number]): [number, number] {
   return [left + (x + 0.5) * scale, top + (y + 0.5) * scale];
 }
 
-function showAnswer(ledger: Ledger, at: [number, number]): void {
-  showLedger(byId("ledger"), ledger, kept !== undefined);
-  showVectors(overlay, ledger, placeOf(at));
-  status.textContent = sentence(ledger);
-  canvas.setAttribute("aria-label", `${model.name}. ${sentence(ledger)}`);
-}
+const asking = new Asking({
+  view: () => view,
+  isMarked: () => isChecked,
+  isDrawing: () => painting.isDrawing,
+  answered: (ledger, at, index) => {
+    showLedger(byId("ledger"), ledger, asking.isKept);
+    showVectors(overlay, ledger, placeOf(at));
+    status.textContent = sentence(ledger);
+    canvas.setAttribute("aria-label", `${model.name}. ${sentence(ledger)}`);
+    tree.mark(index);
+  },
+  left: () => showVectors(overlay, undefined, [0, 0]),
+});
 
 const handles = new Handles(document.getElementById("handles") as unknown as SVGElement, {
   view: () => view,
@@ -306,42 +228,6 @@ const handles = new Handles(document.getElementById("handles") as unknown as SVG
   },
 });
 
-/** Explains the kept pixel, else the one under the pointer, one after the other. */
-async function ask(): Promise<void> {
-  const at = kept ?? pointed;
-  if (isAsking || view === undefined) return;
-  if (at === undefined || isChecked) {
-    showVectors(overlay, undefined, [0, 0]);
-    return;
-  }
-  if (isDrawing || asked === at.join()) return;
-  isAsking = true;
-  asked = at.join();
-  try {
-    const current = view;
-    const [ledger, hit] = await Promise.all([current.ledger(...at), current.pick(at[0] + 0.5, at[1] + 0.5)]);
-    if (current === view && asked === at.join()) {
-      showAnswer(ledger, at);
-      tree.mark(hit?.index);
-    }
-  } catch {
-    // The picture became smaller meanwhile, or the scene another.
-  }
-  isAsking = false;
-  if ((kept ?? pointed)?.join() !== asked) void ask();
-}
-
-/** After another picture the same pixel may have another light. */
-function askAgain(): void {
-  asked = undefined;
-  void ask();
-}
-
-function keep(at: [number, number] | undefined): void {
-  kept = at && (kept?.join() === at.join() ? undefined : at);
-  askAgain();
-}
-
 function pixelAt([x, y]: [number, number]): [number, number] | undefined {
   const at: [number, number] = [Math.floor(x), Math.floor(y)];
   return at[0] >= 0 && at[1] >= 0 && at[0] < canvas.width && at[1] < canvas.height ? at : undefined;
@@ -356,7 +242,7 @@ function leaveCheck(): void {
 
 async function check(): Promise<void> {
   if (view === undefined) return;
-  await settled();
+  await painting.settled();
   const { findings, about, triangles, pixels } = await view.check();
   isChecked = true;
   canvas.getContext("2d")!.putImageData(new ImageData(pixels, canvas.width, canvas.height), 0, 0);
@@ -373,7 +259,7 @@ async function check(): Promise<void> {
   const none = element("p", {}, `Nothing found in ${triangles.toLocaleString("en")} triangles.`);
   byId("findings").replaceChildren(...(entries.length > 0 ? entries : [none]));
   byId("findings-panel").hidden = false;
-  askAgain();
+  asking.again();
   byId("findings-panel").scrollIntoView({ block: "nearest" });
 }
 
@@ -408,7 +294,8 @@ async function show(
     throw error;
   }
   scene?.dispose();
-  [scene, view, camera, kept, pointed] = [opened, made, undefined, undefined, undefined];
+  [scene, view, camera, environments] = [opened, made, undefined, []];
+  asking.forget();
   isFixed = typeof settings["size"] === "string";
   picture.classList.toggle("fixed", isFixed);
   leaveCheck();
@@ -426,15 +313,15 @@ async function show(
   };
   showLightPanel();
   showSurface(byId("surface"), settings, description, words, changed);
-  showPicture(byId("picture-settings"), settings, words, changed);
+  showPicturePanel = () => showPicture(byId("picture-settings"), settings, words, environments, changed);
+  showPicturePanel();
   byId("ledger").replaceChildren(element("p", { class: "quiet" }, "Point at the picture. A click keeps the pixel; a second one, or Escape, lets it go."));
   status.textContent = `${of.name}: point at the picture to see why it has its colour`;
   document.title = `${of.name}: luxel`;
   const demoChoice = byId<HTMLSelectElement>("demo");
   if (of.demo !== undefined) demoChoice.value = of.demo;
   else demoChoice.selectedIndex = -1;
-  wanted = "full";
-  await drawLoop();
+  await painting.redraw();
 }
 
 function openDemo(name: string, given: PageSettings = {}): Promise<void> {
@@ -445,8 +332,30 @@ function openFiles(source: Source, name: string): Promise<void> {
   return attempt(() => show(() => load(source), { name }, { exposure: "auto" }));
 }
 
+/** Puts the scene into the environment of a picture. */
+function surround(file: File): Promise<void> {
+  return attempt(async () => {
+    const of = scene;
+    if (of === undefined) return;
+    message.hidden = true;
+    status.textContent = `reading ${file.name} ...`;
+    const { name, warnings } = await of.addEnvironment(file);
+    if (of !== scene) return;
+    if (!environments.includes(name)) environments.push(name);
+    settings["environment"] = name;
+    showPicturePanel();
+    apply();
+    status.textContent = [`${name} is the environment`, ...warnings].join("; ");
+  });
+}
+
 function openSeveral(files: Map<string, File>): void {
   const names = [...files.keys()];
+  const environment = names.some(isModel) ? undefined : names.find(isEnvironment);
+  if (environment !== undefined) {
+    void surround(files.get(environment)!);
+    return;
+  }
   const shownName = names.length === 1 ? names[0]! : `${names[0]!.split("/")[0]!}`;
   void openFiles(files, shownName);
 }
@@ -475,9 +384,9 @@ function connect(): void {
   for (const mode of MODES) modeChoice.append(element("option", {}, mode));
   layerChoice.addEventListener("change", () => {
     leaveCheck();
-    redraw();
+    void painting.redraw();
   });
-  modeChoice.addEventListener("change", () => move(["set_mode", modeChoice.value]));
+  modeChoice.addEventListener("change", () => painting.move(["set_mode", modeChoice.value]));
   const files = byId<HTMLInputElement>("files");
   byId("open").addEventListener("click", () => files.click());
   files.addEventListener("change", () => {
@@ -494,7 +403,7 @@ function connect(): void {
   byId("check").addEventListener("click", () => void attempt(check));
   byId("close-check").addEventListener("click", () => {
     leaveCheck();
-    redraw();
+    void painting.redraw();
   });
   byId("screenshot").addEventListener("click", () => {
     void attempt(async () => {
@@ -502,7 +411,7 @@ function connect(): void {
     });
   });
   byId("link").addEventListener("click", ({ currentTarget }) => {
-    const hash = writeLink(model.demo, portableSettings());
+    const hash = writeLink(model.demo, withoutFiles(portableSettings(), environments));
     history.replaceState(null, "", hash);
     void attempt(() => copied(location.href, currentTarget as HTMLElement));
   });
@@ -524,15 +433,14 @@ function connect(): void {
       const top = box.top + (box.height - canvas.height * scale) / 2;
       return [(event.clientX - left) / scale, (event.clientY - top) / scale];
     },
-    move,
+    move: (...events: NavigationEvent[]) => painting.move(...events),
     hover: (at: [number, number] | undefined) => {
-      pointed = at && pixelAt(at);
-      void ask();
+      asking.point(at && pixelAt(at));
     },
-    click: (at: [number, number]) => keep(pixelAt(at)),
+    click: (at: [number, number]) => asking.keep(pixelAt(at)),
     key: (event: KeyboardEvent) => {
-      if (event.key === "Escape") keep(undefined);
-      else if (event.key === " ") keep([Math.floor(canvas.width / 2), Math.floor(canvas.height / 2)]);
+      if (event.key === "Escape") asking.keep(undefined);
+      else if (event.key === " ") asking.keep([Math.floor(canvas.width / 2), Math.floor(canvas.height / 2)]);
       else return false;
       return true;
     },
@@ -567,11 +475,11 @@ async function begin(): Promise<void> {
 }
 
 offer(begin(), {
-  pixels: (of) => drawnPixels.get(of ?? canvas),
+  pixels: (of) => (of === undefined || of === canvas ? painting.pixels : undefined),
   explain: async (x, y) => {
-    await settled();
+    await painting.settled();
     if (view === undefined) throw new LuxelError("there is no picture");
     return view.explain(x, y);
   },
-  settled,
+  settled: () => painting.settled(),
 });

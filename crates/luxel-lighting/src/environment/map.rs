@@ -104,6 +104,12 @@ impl EnvironmentMap {
         self.mean
     }
 
+    /// Whether it is one that [`new`](Self::new) may have made; what comes from elsewhere could lack texels.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        self.squares.len() == STEPS + 1 && self.squares.iter().all(Square::is_whole)
+    }
+
     /// The light at a place of the square, blurred for `step` tenths of roughness.
     #[inline]
     fn light(&self, place: [f32; 2], step: f32) -> [f32; 4] {
@@ -167,6 +173,12 @@ impl OrientedMap {
     #[must_use]
     pub fn map(&self) -> &Arc<EnvironmentMap> {
         &self.map
+    }
+
+    /// The world's right, up and front.
+    #[must_use]
+    pub fn frame(&self) -> [[f64; 3]; 3] {
+        self.frame
     }
 
     /// How far it is turned about up, counterclockwise as seen from above.

@@ -83,6 +83,12 @@ impl Square {
         Self { side, texels }
     }
 
+    /// Whether all texels are there.
+    pub(super) fn is_whole(&self) -> bool {
+        let stride = self.side.checked_add(2);
+        stride.and_then(|stride| stride.checked_mul(stride)) == Some(self.texels.len())
+    }
+
     /// The light at a place, filtered linearly.
     #[inline(always)]
     pub(super) fn at(&self, [u, v]: [f32; 2]) -> [f32; 4] {

@@ -1,6 +1,7 @@
 //! What the renderer takes for granted of scenes: whatever is referred to is there.
 
-use luxel_scene::{Mesh, NodeId, Placement, Scene, TextureUse};
+use luxel_lighting::EnvironmentMap;
+use luxel_scene::{EnvironmentChoice, Mesh, NodeId, Placement, Scene, TextureUse};
 
 /// Checks all references.
 ///
@@ -53,7 +54,23 @@ pub(super) fn check(scene: &Scene) -> Result<(), String> {
         };
         must(on(node), "light", number)?;
     }
-    Ok(())
+    scene.environment.as_ref().map_or(Ok(()), check_environment)
+}
+
+/// Checks the map of an environment, if it has one.
+///
+/// # Errors
+/// That it lacks texels.
+pub(super) fn check_environment(environment: &EnvironmentChoice) -> Result<(), String> {
+    environment.map().map_or(Ok(()), |map| check_map(map.map()))
+}
+
+/// Checks the map of an environment.
+///
+/// # Errors
+/// That it lacks texels.
+pub(super) fn check_map(map: &EnvironmentMap) -> Result<(), String> {
+    if map.is_sound() { Ok(()) } else { Err("the environment's map".to_owned()) }
 }
 
 fn mesh_is_sound(mesh: &Mesh, materials: usize) -> bool {
