@@ -74,7 +74,6 @@ export function showPicture(
 ): void {
   const flag = (name: string, label: string): HTMLElement =>
     switchOf(label, settings[name] !== undefined, (isOn) => set(settings, name, isOn, changed));
-  const environment = settings["environment"] as string | undefined;
   const turned = numberRow({
     label: "turned °",
     value: Number(settings["environment-rotation"] ?? 0),
@@ -83,6 +82,16 @@ export function showPicture(
     step: 1,
     change: (degrees) => set(settings, "environment-rotation", degrees === 0 ? undefined : String(degrees), changed),
   });
+  const [, ...turnedInputs] = turned as [HTMLElement, ...HTMLInputElement[]];
+  /** Only pictures turn. */
+  const showTurned = (): void => {
+    const isPicture = environments.includes(String(settings["environment"]));
+    for (const part of turned) part.hidden = !isPicture;
+    if (isPicture) return;
+    delete settings["environment-rotation"];
+    for (const input of turnedInputs) input.value = "0";
+  };
+  showTurned();
   const rows = [
     ...choiceRow("samples", ["1", "2", "4", "8", "16"], String(settings["samples"] ?? "4"), (value) =>
       set(settings, "samples", value === "4" ? undefined : value, changed),
@@ -96,12 +105,11 @@ export function showPicture(
     ...choiceRow("tone", vocabulary.tones.map((one) => one.name), String(settings["tone"] ?? "none"), (value) =>
       set(settings, "tone", value === "none" ? undefined : value, changed),
     ),
-    ...choiceRow("environment", ["default", "none", "studio", ...environments], environment ?? "default", (value) => {
-      if (!environments.includes(value)) delete settings["environment-rotation"];
-      set(settings, "environment", value === "default" ? undefined : value, changed);
-      showPicture(panel, settings, vocabulary, environments, changed);
+    ...choiceRow("environment", ["default", "none", "studio", ...environments], String(settings["environment"] ?? "default"), (value) => {
+      set(settings, "environment", value === "default" ? undefined : value, showTurned);
+      changed();
     }),
-    ...(environment !== undefined && environments.includes(environment) ? turned : []),
+    ...turned,
     ...choiceRow("faces", ["auto", "none", "back"], String(settings["cull"] ?? "auto"), (value) =>
       set(settings, "cull", value === "auto" ? undefined : value, changed),
     ),
