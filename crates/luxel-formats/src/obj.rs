@@ -8,6 +8,7 @@
 //! (texture coordinates, normals) don't split them.
 
 mod build;
+mod definitions;
 mod document;
 mod join;
 mod lines;

@@ -13,6 +13,8 @@
 //! - A diffuse texture with alpha, or a `map_d`, makes holes if its alpha is all but black and
 //!   white, and blends otherwise.
 
+use super::definitions::Definitions;
+use super::document::NONE;
 use super::mtl::{self, Definition, Map, Maps};
 use crate::files::Refusal;
 use crate::image;
@@ -37,14 +39,14 @@ const BYTES_PER_TEXEL: u64 = 6;
 pub(super) struct Materials<'a> {
     folder: Option<&'a Path>,
     memory: Memory<'a>,
-    /// By the file's number: names, and definitions that aren't built yet.
+    /// By the file's number.
     names: &'a [&'a [u8]],
-    definitions: Vec<Option<Definition>>,
+    definitions: Definitions,
     pub(super) list: Vec<SceneMaterial>,
     pub(super) textures: Vec<Texture>,
-    /// Built materials, by the file's number and by whether they are for vertices with colours; last that
-    /// of elements without one.
-    made: Vec<[Option<MaterialId>; 2]>,
+    /// The numbers of built materials or [`NONE`], by the file's number and by whether they are for vertices with
+    /// colours; last that of elements without one.
+    made: Vec<[u32; 2]>,
     loaded: HashMap<(String, Use, bool), TextureId>,
 }
 
@@ -65,8 +67,7 @@ impl<'a> Materials<'a> {
         limits: &'a Limits,
         warnings: &mut Warnings,
     ) -> Result<Self, Error> {
-        let mut definitions = Vec::new();
-        definitions.resize_with(names.len(), || None);
+        let mut definitions = Definitions::new(names.len());
         let numbers: HashMap<&[u8], usize> = names.iter().copied().zip(0..).collect();
         let mut files = Libraries { folder, memory: Memory::new(limits), seen: HashSet::new() };
         for line in libraries {
@@ -74,7 +75,7 @@ impl<'a> Materials<'a> {
                 mtl::read(&bytes, &name, warnings, &mut |name, definition| {
                     // The first definition wins: libraries are searched in order.
                     if let Some(&number) = numbers.get(name) {
-                        definitions[number].get_or_insert(definition);
+                        definitions.put(number, definition);
                     }
                 });
             }
@@ -86,7 +87,7 @@ impl<'a> Materials<'a> {
             definitions,
             list: Vec::new(),
             textures: Vec::new(),
-            made: vec![[None; 2]; names.len() + 1],
+            made: vec![[NONE; 2]; names.len() + 1],
             loaded: HashMap::new(),
         })
     }
@@ -99,11 +100,12 @@ impl<'a> Materials<'a> {
         warnings: &mut Warnings,
     ) -> Result<MaterialId, Error> {
         let number = (number as usize).min(self.names.len());
-        if let Some(made) = self.made[number][usize::from(is_colored)] {
-            return Ok(made);
+        let made = self.made[number][usize::from(is_colored)];
+        if made != NONE {
+            return Ok(MaterialId(made));
         }
         let name = self.names.get(number).copied();
-        let definition = self.definitions.get_mut(number).and_then(Option::take);
+        let definition = self.definitions.take(number);
         let mut material = match (&definition, name) {
             (Some(definition), _) => self.make(definition, number, warnings)?,
             (None, name) => {
@@ -125,9 +127,9 @@ impl<'a> Materials<'a> {
         let id = MaterialId(self.list.len() as u32);
         self.list.push(material);
         let made = &mut self.made[number];
-        made[usize::from(is_colored)] = Some(id);
+        made[usize::from(is_colored)] = id.0;
         if definition.is_some() {
-            *made = [Some(id); 2];
+            *made = [id.0; 2];
         }
         Ok(id)
     }

@@ -4,7 +4,7 @@ use super::lines::Lines;
 use crate::text::{Words, integer, shown, single};
 use crate::warnings::Warnings;
 
-/// A material as written; missing statements are `None`. It is small: libraries may have millions.
+/// A material as written; missing statements are `None`.
 #[derive(Debug, Default)]
 pub(super) struct Definition {
     pub(super) ambient: Option<[f32; 3]>,
