@@ -28,10 +28,19 @@ impl Definitions {
         if *start != 0 {
             return;
         }
-        *start = self.words.len();
-        let Definition { ambient, diffuse, specular, emission, .. } = definition;
-        let Definition { shininess, opacity, transparency, illumination, maps, .. } = definition;
         let first = self.words.len();
+        *start = first;
+        let Definition {
+            ambient,
+            diffuse,
+            specular,
+            emission,
+            shininess,
+            opacity,
+            transparency,
+            illumination,
+            maps,
+        } = definition;
         self.words
             .push(illumination.map_or(0, |value| u32::from((value + 2) as u8)) << ILLUMINATION);
         for (bit, color) in (0..).zip([ambient, diffuse, specular, emission]) {
@@ -51,9 +60,10 @@ impl Definitions {
         }
     }
 
-    /// Takes the definition of a material, its textures for the first time only.
+    /// Takes the definition of a material, which has none then.
     pub(super) fn take(&mut self, material: usize) -> Option<Definition> {
-        let start = self.starts.get(material).copied().filter(|&start| start != 0)?;
+        let start =
+            self.starts.get_mut(material).map(std::mem::take).filter(|&start| start != 0)?;
         let (&has, numbers) = self.words[start..].split_first()?;
         let mut numbers = numbers.iter().map(|&bits| f32::from_bits(bits));
         let mut next = |bit: u32| if has & 1 << bit == 0 { None } else { numbers.next() };
@@ -118,7 +128,7 @@ mod tests {
             }
             let back: Vec<String> = (0..count).map(|material| format!("{:?}", packed.take(material))).collect();
             prop_assert_eq!(back, expected);
-            prop_assert!(packed.take(count).is_none());
+            prop_assert!((0..=count).all(|material| packed.take(material).is_none()));
         }
     }
 }
