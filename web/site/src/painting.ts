@@ -11,8 +11,8 @@ export interface PaintingPage {
   layer(): "picture" | LayerName;
   /** Whether marks are shown instead of a picture. */
   isMarked(): boolean;
-  /** Does something, and shows why it failed. */
-  attempt(work: () => Promise<void>): Promise<void>;
+  /** Does something with a view, and shows why it failed if the view is still the page's. */
+  attempt(view: View | undefined, work: () => Promise<void>): Promise<void>;
   /** Events have moved the camera. */
   moved(camera: CameraState): void;
   /** There is another picture. */
@@ -73,22 +73,13 @@ export class Painting {
     return new Promise((resolve) => this.#idle.push(resolve));
   }
 
-  /** Does something with a view; fails only if the view is still the page's. */
-  async unlessGone(view: View | undefined, work: () => Promise<void>): Promise<void> {
-    try {
-      await work();
-    } catch (error) {
-      if (view === this.#page.view()) throw error;
-    }
-  }
-
   async #loop(): Promise<void> {
     if (this.#isDrawing) return;
     this.#isDrawing = true;
     let current: View | undefined;
     do {
       current = this.#page.view();
-      await this.#page.attempt(() => this.unlessGone(current, () => this.#drawAll()));
+      await this.#page.attempt(current, () => this.#drawAll());
       // Another scene may have come meanwhile.
     } while (current !== this.#page.view());
     this.#isDrawing = false;

@@ -99,6 +99,17 @@ async function attempt(work: () => Promise<void>): Promise<void> {
   }
 }
 
+/** Does something with a view, and shows why it failed if the view is still the page's. */
+function attemptWith(of: View | undefined, work: () => Promise<void>): Promise<void> {
+  return attempt(async () => {
+    try {
+      await work();
+    } catch (error) {
+      if (of === view) throw error;
+    }
+  });
+}
+
 /** The pixels that the picture has: those of the link, else as many as the page shows. */
 function sizeOfPage(): string {
   const box = picture.getBoundingClientRect();
@@ -138,7 +149,7 @@ const painting = new Painting(canvas, {
   view: () => view,
   layer: () => layerChoice.value as "picture" | LayerName,
   isMarked: () => isChecked,
-  attempt,
+  attempt: attemptWith,
   moved: (state) => {
     camera = state;
     modeChoice.value = state.mode;
@@ -170,14 +181,14 @@ function changed(): void {
 function apply(): void {
   isStale = true;
   settingTimer ??= (async () => {
-    await attempt(async () => {
-      while (isStale && view !== undefined) {
-        isStale = false;
-        const current = view;
-        await painting.unlessGone(current, () => current.set(allSettings()));
+    while (isStale && view !== undefined) {
+      isStale = false;
+      const current = view;
+      await attemptWith(current, async () => {
+        await current.set(allSettings());
         void painting.redraw();
-      }
-    });
+      });
+    }
     settingTimer = undefined;
   })();
 }
@@ -188,14 +199,22 @@ function showCommand(): void {
 
 // --- Explaining -----------------------------------------------------------------------------------
 
+/** Where the picture is in the page: its upper left corner in the window, and the page's pixels for one of its own. */
+function shownAt(): { left: number; top: number; scale: number } {
+  const box = canvas.getBoundingClientRect();
+  const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
+  return {
+    left: box.left + (box.width - canvas.width * scale) / 2,
+    top: box.top + (box.height - canvas.height * scale) / 2,
+    scale,
+  };
+}
+
 /** The place of a pixel's centre over the picture, in pixels of the page. */
 function placeOf([x, y]: readonly [number, number]): [number, number] {
-  const box = canvas.getBoundingClientRect();
+  const { left, top, scale } = shownAt();
   const outer = picture.getBoundingClientRect();
-  const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
-  const left = box.left - outer.left + (box.width - canvas.width * scale) / 2;
-  const top = box.top - outer.top + (box.height - canvas.height * scale) / 2;
-  return [left + (x + 0.5) * scale, top + (y + 0.5) * scale];
+  return [left - outer.left + (x + 0.5) * scale, top - outer.top + (y + 0.5) * scale];
 }
 
 const asking = new Asking({
@@ -218,8 +237,7 @@ const handles = new Handles(document.getElementById("handles") as unknown as SVG
   middle: () => [canvas.width / 2, canvas.height / 2],
   toPage: ([x, y]) => placeOf([x - 0.5, y - 0.5]),
   wayToPicture: ([right, down]) => {
-    const box = canvas.getBoundingClientRect();
-    const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
+    const { scale } = shownAt();
     return [right / scale, down / scale];
   },
   changed: () => {
@@ -427,10 +445,7 @@ function connect(): void {
   listenToDrops(byId("drop"), openSeveral);
   const hand = {
     place: (event: { clientX: number; clientY: number }): [number, number] => {
-      const box = canvas.getBoundingClientRect();
-      const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
-      const left = box.left + (box.width - canvas.width * scale) / 2;
-      const top = box.top + (box.height - canvas.height * scale) / 2;
+      const { left, top, scale } = shownAt();
       return [(event.clientX - left) / scale, (event.clientY - top) / scale];
     },
     move: (...events: NavigationEvent[]) => painting.move(...events),
