@@ -22,7 +22,7 @@ rmSync(npm, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
 await build({ ...common, entryPoints: [join(here, "package/src/index.ts")], outfile: join(dist, "luxel.js") });
 await build({ ...common, entryPoints: [join(here, "package/src/worker.ts")], outfile: join(dist, "worker.js") });
-for (const name of ["luxel_bg.wasm", "readers_bg.wasm"]) {
+for (const name of ["luxel_bg.wasm", "answers.wasm", "readers_bg.wasm"]) {
   cpSync(join(here, "package/wasm", name), join(dist, name));
 }
 execFileSync(process.execPath, [join(here, "node_modules/typescript/bin/tsc"), "-p", join(here, "package"), "--outDir", dist], {
@@ -74,9 +74,11 @@ const writeArticle = (name, change = (text) => text) => {
   writeFileSync(join(out, `${name}.html`), page);
 };
 
-// Still pictures, drawn by the same module: shown before it arrives, without JavaScript, and in print.
+// Still pictures, drawn by the same modules: shown before it arrives, without JavaScript, and in print.
 const { initSync, Model, ModelView } = await import(join(here, "package/wasm/luxel.js"));
+const { linkAnswers } = await import(join(here, "package/wasm/answers.js"));
 initSync({ module: readFileSync(join(here, "package/wasm/luxel_bg.wasm")) });
+linkAnswers(new WebAssembly.Module(readFileSync(join(here, "package/wasm/answers.wasm"))));
 mkdirSync(join(out, "stills"), { recursive: true });
 /** What a file of TypeScript exports that needs no document. */
 const exportsOf = async (file) => {

@@ -9,18 +9,19 @@
 #![forbid(unsafe_code)]
 
 mod answers;
-mod check;
 mod describe;
 mod drawer;
 mod error;
 mod handles;
-mod ledger;
 mod model;
 mod motion;
+mod questions;
 mod view;
 mod vocabulary;
 
-pub use check::CheckedModel;
+#[cfg(feature = "split")]
+pub use answers::link_answers;
 pub use drawer::Drawer;
 pub use model::Model;
+pub use questions::CheckedModel;
 pub use view::ModelView;

@@ -1,5 +1,6 @@
 //! Navigation: pointers and keys move the camera, and all of it is in a log.
 
+use crate::answers::answers;
 use crate::error::exception;
 use crate::view::ModelView;
 use luxel::navigation::{
@@ -205,6 +206,6 @@ impl ModelView {
         if !is_inside {
             return Ok(None);
         }
-        Ok(self.hit_at([x, y])?.map(|hit| hit.position))
+        Ok((answers()?.hit_at)(self, [x, y])?.map(|hit| hit.position))
     }
 }

@@ -4,13 +4,10 @@ use crate::drawer::show_all_but;
 use crate::error::exception;
 use crate::model::{Environments, Model};
 use crate::motion::FIRST_MODE;
-use luxel::lighting::{EnvironmentMap, PictureEncoding};
+use luxel::lighting::EnvironmentMap;
 use luxel::navigation::{Log, Settings as Motion, State};
 use luxel::pick::Picker;
-use luxel::render::{
-    Execution, Layer, LayerImage, LayerValues, Picture, PictureFormat, Renderer, View, layer_rgb8,
-    write_rgba8,
-};
+use luxel::render::{Execution, Renderer, View};
 use luxel::scene::{Bounds, Scene};
 use luxel::{CameraChoice, Settings};
 use std::rc::Rc;
@@ -151,52 +148,6 @@ impl ModelView {
         let picture = self.renderer.rgba8(&self.draft_view()).map_err(exception)?;
         Ok(picture.pixels.into_flattened())
     }
-
-    /// The picture as a PNG file, with the bytes of the program's.
-    ///
-    /// # Errors
-    /// As [`draw`](Self::draw).
-    pub fn png(&self) -> Result<Vec<u8>, JsError> {
-        let picture = self.renderer.rgba8(&self.view).map_err(exception)?;
-        let Picture { size, pixels, .. } = &picture;
-        let encoding: PictureEncoding = self.view.encoding;
-        let mut bytes = Vec::new();
-        write_rgba8(PictureFormat::Png, *size, pixels, encoding, &mut bytes).map_err(exception)?;
-        Ok(bytes)
-    }
-
-    /// A layer of numbers, one to three a pixel.
-    ///
-    /// # Errors
-    /// An exception for an unknown name, and for a layer of ids.
-    pub fn layer(&self, name: &str) -> Result<Vec<f32>, JsError> {
-        match self.layer_values(name)? {
-            LayerValues::F32(values) => Ok(values),
-            LayerValues::U32(_) => Err(exception(format!("`{name}` is a layer of ids"))),
-        }
-    }
-
-    /// A layer of ids, one a pixel.
-    ///
-    /// # Errors
-    /// An exception for an unknown name, and for a layer of numbers.
-    pub fn layer_ids(&self, name: &str) -> Result<Vec<u32>, JsError> {
-        match self.layer_values(name)? {
-            LayerValues::U32(values) => Ok(values),
-            LayerValues::F32(_) => Err(exception(format!("`{name}` is a layer of numbers"))),
-        }
-    }
-
-    /// A layer as colours to look at, four bytes a pixel.
-    ///
-    /// # Errors
-    /// An exception for an unknown name.
-    pub fn layer_picture(&self, name: &str) -> Result<Vec<u8>, JsError> {
-        let values = self.layer_values(name)?;
-        let layer: Layer = name.parse().map_err(exception)?;
-        let image = LayerImage { name: layer.name(), channels: layer.channels(), values };
-        Ok(layer_rgb8(&image).into_iter().flat_map(|[r, g, b]| [r, g, b, 255]).collect())
-    }
 }
 
 impl ModelView {
@@ -251,12 +202,6 @@ impl ModelView {
         view.ground = false;
         view.ambient_occlusion = None;
         view
-    }
-
-    fn layer_values(&self, name: &str) -> Result<LayerValues, JsError> {
-        let layer: Layer = name.parse().map_err(exception)?;
-        let values = self.renderer.layers(&self.view, &[layer]).map_err(exception)?;
-        values.into_iter().next().ok_or_else(|| exception("no layer"))
     }
 }
 

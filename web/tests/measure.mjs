@@ -1,7 +1,7 @@
 // Measures the pages in a browser beside the program, in turns: node tests/measure.mjs SITE PROGRAM [TURNS].
 //
 // Prints JSON: milliseconds from navigation to the first picture; medians of frames of 1280x720 with one sample, by one
-// worker and by two, beside the program on one thread with the same width of vectors; of explanations; and the
+// worker and by two, beside the program on as many threads with the same width of vectors; of explanations; and the
 // longest task of the page while a hand turns the model. A busy machine makes all of them meaningless.
 
 import { execFileSync } from "node:child_process";
@@ -44,8 +44,8 @@ async function framesOfPage(demo, workers) {
   return median(times);
 }
 
-function framesOfProgram(demo) {
-  const flags = ["--size", "1280x720", "--samples", "1", "--threads", "1", "--simd", "sse4.2", "--frames", String(FRAMES), "--json"];
+function framesOfProgram(demo, threads) {
+  const flags = ["--size", "1280x720", "--samples", "1", "--threads", String(threads), "--simd", "sse4.2", "--frames", String(FRAMES), "--json"];
   return JSON.parse(execFileSync(program, ["bench", `demo:${demo}`, ...flags], { encoding: "utf8" })).frame_ms.median;
 }
 
@@ -59,14 +59,16 @@ for (let turn = 0; turn < Number(turns); turn++) {
   await page.close();
 }
 for (const demo of DEMOS) {
-  const [one, two, native] = [[], [], []];
+  const [one, two, native, nativeTwo] = [[], [], [], []];
   for (let turn = 0; turn < Number(turns); turn++) {
-    native.push(framesOfProgram(demo));
+    native.push(framesOfProgram(demo, 1));
+    nativeTwo.push(framesOfProgram(demo, 2));
     one.push(await framesOfPage(demo, 1));
     two.push(await framesOfPage(demo, 2));
   }
-  const [a, b, c] = [one, two, native].map(median);
-  results.frames[demo] = { one: round(a), two: round(b), program: round(c), to_program: round(a / c), two_to_one: round(a / b) };
+  const [a, b, c, d] = [one, two, native, nativeTwo].map(median);
+  const ratios = { to_program: round(a / c), two_to_one: round(a / b), two_to_one_of_program: round(c / d) };
+  results.frames[demo] = { one: round(a), two: round(b), program: round(c), ...ratios };
 }
 const { page } = await open(browser.context, `${site.address}/index.html`);
 results.explain_ms = round(median(await page.evaluate(async () => {

@@ -16,7 +16,7 @@ try {
   const archive = run("npm", ["pack", "--silent", packageFolder]).trim().split("\n").at(-1);
   writeFileSync(join(folder, "package.json"), '{ "private": true, "type": "module" }\n');
   run("npm", ["install", "--silent", "--offline", `./${archive}`]);
-  for (const file of ["luxel.js", "worker.js", "luxel_bg.wasm", "readers_bg.wasm", "index.d.ts"]) {
+  for (const file of ["luxel.js", "worker.js", "luxel_bg.wasm", "answers.wasm", "readers_bg.wasm", "index.d.ts"]) {
     assert.ok(existsSync(join(folder, "node_modules/luxel/dist", file)), file);
   }
   // The lines of the README, and types that must not pass.

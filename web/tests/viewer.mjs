@@ -74,6 +74,33 @@ test("several workers draw the bytes of one", () =>
     assert.deepEqual(isSame, [true, true, true, false, false]);
   }));
 
+test("a picture waits for no answers, and a question says why none come, until they do", async () => {
+  const page = await browser.context.newPage();
+  let arrives = () => {};
+  const arrived = new Promise((resolve) => (arrives = resolve));
+  const status = [404, 404];
+  await page.context().route("**/answers.wasm", async (route) => {
+    await arrived;
+    const missing = status.shift();
+    await (missing === undefined ? route.continue() : route.fulfill({ status: missing }));
+  });
+  try {
+    await page.goto(`${site.address}/index.html#demo=teapot&size=64x64`);
+    const pixels = await page.evaluate(async () => {
+      await window.luxel.ready;
+      return window.luxel.pixels(document.querySelector("canvas")).some((byte) => byte > 100);
+    });
+    assert.ok(pixels, "nothing is drawn before the module that answers is there");
+    arrives();
+    const asked = () => page.evaluate(() => window.luxel.explain(32, 40).then((why) => why.rgba8.length, (error) => error.message));
+    assert.match(String(await asked()), /answers\.wasm: 404/);
+    assert.equal(await asked(), 4);
+  } finally {
+    await page.context().unroute("**/answers.wasm");
+    await page.close();
+  }
+});
+
 test("explanations and picks are the program's", () =>
   withViewer("#demo=teapot&size=320x240", async (page) => {
     const flags = ["--size", "320x240", "--json"];

@@ -1,11 +1,8 @@
 /** The workers of a page: one that leads, and others that draw shares of large pictures. */
 
-import type { CallName, Calls, Request, Response } from "./protocol.ts";
-
-/** A failure: what luxel says of a file, a setting or a worker. */
-export class LuxelError extends Error {
-  override name = "LuxelError";
-}
+import { compile } from "./compile.ts";
+import { LuxelError } from "./error.ts";
+import type { CallName, Calls, ModuleUrls, Request, Response } from "./protocol.ts";
 
 /** A worker ended, for want of memory or by a bug; a new one takes its place, without what the old one held. */
 export class WorkerEndedError extends LuxelError {
@@ -20,6 +17,8 @@ export interface Options {
   workerUrl?: string | URL;
   /** The address of the module that draws. */
   wasmUrl?: string | URL;
+  /** The address of the module that answers: picks, ledgers, layers. */
+  answersUrl?: string | URL;
   /** The address of the module that reads files. */
   readersUrl?: string | URL;
 }
@@ -38,28 +37,15 @@ interface Waiting {
 
 let compiled: Promise<WebAssembly.Module> | undefined;
 
-/** The module, compiled once for all workers while it arrives. */
-function compile(): Promise<WebAssembly.Module> {
-  compiled ??= (async () => {
-    const url = options.wasmUrl ?? new URL("./luxel_bg.wasm", import.meta.url);
-    const response = await fetch(url);
-    if (!response.ok) {
-      throw new LuxelError(`${url}: ${response.status} ${response.statusText}`);
-    }
-    try {
-      return await WebAssembly.compileStreaming(response.clone());
-    } catch (error) {
-      if (!(error instanceof TypeError)) {
-        throw new LuxelError(
-          "this browser can't run luxel: it needs WebAssembly with SIMD, as Chrome 91, Firefox 89 and Safari 16.4 have it",
-        );
-      }
-      // A server that doesn't name the type of the file.
-      return await WebAssembly.compile(await response.arrayBuffer());
-    }
-  })();
+/** The module that draws, compiled once for all workers. */
+function drawingModule(): Promise<WebAssembly.Module> {
+  compiled ??= compile(options.wasmUrl ?? new URL("./luxel_bg.wasm", import.meta.url));
   compiled.catch(() => (compiled = undefined));
   return compiled;
+}
+
+function absolute(url: string | URL): string {
+  return new URL(url, location.href).href;
 }
 
 /** A worker with the calls that wait for it. */
@@ -79,9 +65,11 @@ export class Hand {
         : new Worker(options.workerUrl, { type: "module" });
     this.#worker.onmessage = ({ data }: MessageEvent<Response>) => this.#answered(data);
     this.#worker.onerror = (event) => this.#end(event.message || "its script can't be loaded");
-    const readers = options.readersUrl ?? new URL("./readers_bg.wasm", import.meta.url);
-    const url = new URL(readers, location.href).href;
-    this.ready = compile().then((module) => this.call("start", [module, url]));
+    const later: ModuleUrls = {
+      answers: absolute(options.answersUrl ?? new URL("./answers.wasm", import.meta.url)),
+      readers: absolute(options.readersUrl ?? new URL("./readers_bg.wasm", import.meta.url)),
+    };
+    this.ready = drawingModule().then((module) => this.call("start", [module, later]));
     this.ready.catch(() => {});
   }
 

@@ -1,6 +1,6 @@
 /** Models as files: what a page was given, or what an address leads to, with all that it refers to. */
 
-import { LuxelError } from "./crew.ts";
+import { LuxelError } from "./error.ts";
 
 /** A file, bytes, an address, or several files by their paths. */
 export type Source =

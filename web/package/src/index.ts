@@ -23,7 +23,8 @@ import { pairs, type Settings } from "./settings.ts";
 import { View } from "./view.ts";
 
 export type * from "./answers.ts";
-export { configure, drawers, LuxelError, WorkerEndedError, type Options } from "./crew.ts";
+export { configure, drawers, WorkerEndedError, type Options } from "./crew.ts";
+export { LuxelError } from "./error.ts";
 export { isEnvironment, isModel, modelAmong, type Source } from "./files.ts";
 export type { CameraState, NavigationEvent, Pixels } from "./protocol.ts";
 export { pairs, type Settings, type SettingValue } from "./settings.ts";

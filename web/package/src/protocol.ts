@@ -54,9 +54,15 @@ export interface PackedScene {
 /** Files by their paths. */
 export type Files = [path: string, bytes: Uint8Array<ArrayBuffer>][];
 
+/** The addresses of the modules that a worker fetches when it needs them. */
+export interface ModuleUrls {
+  answers: string;
+  readers: string;
+}
+
 /** The calls that a worker answers. */
 export interface Calls {
-  start(module: WebAssembly.Module, readersUrl: string): void;
+  start(module: WebAssembly.Module, later: ModuleUrls): void;
   demos(): string;
   vocabulary(): string;
   demo(id: number, name: string): string;

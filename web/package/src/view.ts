@@ -1,6 +1,7 @@
 /** Views: a scene seen by a camera, drawn by all workers, picked, explained and moved by one. */
 
-import { helpers, LuxelError, type Hand } from "./crew.ts";
+import { helpers, type Hand } from "./crew.ts";
+import { LuxelError } from "./error.ts";
 import type {
   CheckAnswer,
   Explanation,

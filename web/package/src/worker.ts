@@ -1,8 +1,10 @@
 /** Runs in a worker: holds models and views in WebAssembly, and draws. */
 
+import { linkAnswers } from "../wasm/answers.js";
 import initialize, { Drawer, Model, ModelView } from "../wasm/luxel.js";
 import type * as Readers from "../wasm/readers.js";
-import type { CallName, Calls, CameraState, Files, Pixels, Request, Response } from "./protocol.ts";
+import { compile } from "./compile.ts";
+import type { CallName, Calls, CameraState, Files, ModuleUrls, NavigationEvent, Pixels, Request, Response } from "./protocol.ts";
 
 interface OpenView {
   view: ModelView;
@@ -14,7 +16,8 @@ const models = new Map<number, Model>();
 const views = new Map<number, OpenView>();
 const drawers = new Map<number, { drawer: Drawer; version: number }>();
 let memory: WebAssembly.Memory | undefined;
-let readersUrl = "";
+let urls: ModuleUrls;
+let answering: Promise<void> | undefined;
 let readers: Promise<typeof Readers> | undefined;
 
 function got<T>(things: Map<number, T>, id: number, what: string): T {
@@ -25,10 +28,42 @@ function got<T>(things: Map<number, T>, id: number, what: string): T {
   return thing;
 }
 
+/** The module that answers, fetched once the first picture is drawn, or for the first question. */
+async function canAnswer(): Promise<void> {
+  answering ??= compile(urls.answers).then(linkAnswers);
+  try {
+    await answering;
+  } catch (error) {
+    answering = undefined;
+    throw error;
+  }
+}
+
+const QUESTIONS: ReadonlySet<CallName> = new Set([
+  "check",
+  "explain",
+  "layer",
+  "layerPicture",
+  "ledger",
+  "pick",
+  "pickRect",
+  "png",
+]);
+
+/** Motion about the point under the pointer. */
+const POINTING: ReadonlySet<NavigationEvent[0]> = new Set(["grab", "wheel", "turn_about"]);
+
+/** Whether a call needs the module that answers. */
+function asks({ name, parameters }: Request): boolean {
+  if (name !== "step") return QUESTIONS.has(name);
+  const [, events] = parameters as Parameters<Calls["step"]>;
+  return events.some(([event]) => POINTING.has(event));
+}
+
 /** The module of readers, fetched for the first file. */
 async function readersModule(): Promise<typeof Readers> {
   readers ??= import("../wasm/readers.js").then(async (module) => {
-    await module.default({ module_or_path: fetch(readersUrl) });
+    await module.default({ module_or_path: fetch(urls.readers) });
     return module;
   });
   try {
@@ -83,10 +118,10 @@ function pixels(bytes: Uint8Array): Pixels {
 type Answers = { [N in CallName]: (...parameters: Parameters<Calls[N]>) => ReturnType<Calls[N]> | Promise<ReturnType<Calls[N]>> };
 
 const answers: Answers = {
-  async start(module, url) {
+  async start(module, later) {
     const exports = await initialize({ module_or_path: module });
     memory = exports.memory;
-    readersUrl = url;
+    urls = later;
   },
 
   demos: () => Model.demos(),
@@ -220,6 +255,8 @@ const answers: Answers = {
     const { drawer, version: own } =
       open === undefined ? got(drawers, id, "view") : { drawer: open.view, version: open.version };
     if (own === version) drawer.draw_part(view, part, parts, into);
+    // Not to be waited for: a question says what is wrong.
+    if (open !== undefined) canAnswer().catch(() => {});
     return { isDrawn: own === version, pixels: into };
   },
 
@@ -237,10 +274,12 @@ function buffers(result: unknown): ArrayBuffer[] {
 // One call after the other, also where one waits for the readers.
 let queue: Promise<void> = Promise.resolve();
 
-async function answer({ id, name, parameters }: Request): Promise<void> {
+async function answer(request: Request): Promise<void> {
+  const { id, name, parameters } = request;
   let response: Response;
   let transfer: ArrayBuffer[] = [];
   try {
+    if (asks(request)) await canAnswer();
     const call = answers[name] as (...parameters: unknown[]) => unknown;
     const result = await call(...parameters);
     transfer = buffers(result);
