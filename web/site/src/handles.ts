@@ -48,7 +48,7 @@ export class Handles {
   readonly #shown = new Map<string, Shown>();
   #isOn = false;
   #next: Move | undefined;
-  #isMoving = false;
+  #moving: Promise<void> | undefined;
 
   constructor(layer: SVGElement, page: HandlePage) {
     this.#layer = layer;
@@ -146,12 +146,15 @@ export class Handles {
   #moveBy(light: Light, handle: LightHandle, way: readonly [number, number]): void {
     const [right, down] = this.#page.wayToPicture(way);
     this.#next = { light, handle, to: [handle.place[0] + right, handle.place[1] + down] };
-    void this.#move();
+    this.#moving ??= this.#move();
+  }
+
+  /** Resolves when no light is about to move. */
+  async settled(): Promise<void> {
+    await this.#moving;
   }
 
   async #move(): Promise<void> {
-    if (this.#isMoving) return;
-    this.#isMoving = true;
     try {
       for (let next = this.#next; next !== undefined; next = this.#next) {
         this.#next = undefined;
@@ -164,7 +167,7 @@ export class Handles {
         this.#page.changed();
       }
     } finally {
-      this.#isMoving = false;
+      this.#moving = undefined;
     }
   }
 }

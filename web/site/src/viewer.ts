@@ -169,7 +169,7 @@ const painting = new Painting(canvas, {
 
 // --- Settings -------------------------------------------------------------------------------------
 
-let settingTimer: Promise<void> | undefined;
+let applying: Promise<void> | undefined;
 let isStale = false;
 
 /** Applies the settings as they are then, once for all changes of a moment. */
@@ -180,7 +180,7 @@ function changed(): void {
 
 function apply(): void {
   isStale = true;
-  settingTimer ??= (async () => {
+  applying ??= (async () => {
     while (isStale && view !== undefined) {
       isStale = false;
       const current = view;
@@ -189,8 +189,15 @@ function apply(): void {
         void painting.redraw();
       });
     }
-    settingTimer = undefined;
+    applying = undefined;
   })();
+}
+
+/** Waits until no light moves, and nothing is left to apply or to draw. */
+async function settled(): Promise<void> {
+  await handles.settled();
+  await applying;
+  await painting.settled();
 }
 
 function showCommand(): void {
@@ -260,7 +267,7 @@ function leaveCheck(): void {
 
 async function check(): Promise<void> {
   if (view === undefined) return;
-  await painting.settled();
+  await settled();
   const { findings, about, triangles, pixels } = await view.check();
   isChecked = true;
   canvas.getContext("2d")!.putImageData(new ImageData(pixels, canvas.width, canvas.height), 0, 0);
@@ -492,9 +499,9 @@ async function begin(): Promise<void> {
 offer(begin(), {
   pixels: (of) => (of === undefined || of === canvas ? painting.pixels : undefined),
   explain: async (x, y) => {
-    await painting.settled();
+    await settled();
     if (view === undefined) throw new LuxelError("there is no picture");
     return view.explain(x, y);
   },
-  settled: () => painting.settled(),
+  settled,
 });
