@@ -14,13 +14,15 @@ const browser = await launch();
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 const round = (value) => Number(value.toFixed(2));
 const DEMOS = ["lab-silhouette", "teapot", "blob"];
-const FRAMES = 24;
+const FRAMES = 40;
+/** Frames before those: each worker begins with code from the compiler that is quick to compile. */
+const WARM_UP = 40;
 
 /** Frames of a demo in the page, turned a little before each. */
 async function framesOfPage(demo, workers) {
   const { page } = await open(browser.context, `${site.address}/index.html#demo=teapot&size=64x64`);
   const times = await page.evaluate(
-    async ([name, workers, frames]) => {
+    async ([name, workers, frames, before]) => {
       const { configure, demo } = await import("./luxel/luxel.js");
       configure({ workers });
       const scene = await demo(name);
@@ -28,17 +30,16 @@ async function framesOfPage(demo, workers) {
       await view.ready();
       const canvas = document.createElement("canvas");
       const times = [];
-      for (let frame = 0; frame < frames + 6; frame++) {
+      for (let frame = 0; frame < before + frames; frame++) {
         await view.navigate(["tap", "orbit-right", 0.2]);
         const begin = performance.now();
         await view.draw(canvas, { workers });
         times.push(performance.now() - begin);
       }
       scene.dispose();
-      // The first ones are run by the compiler that is quick to compile.
-      return times.slice(6);
+      return times.slice(before);
     },
-    [demo, workers, FRAMES],
+    [demo, workers, FRAMES, WARM_UP],
   );
   await page.close();
   return median(times);
