@@ -14,7 +14,7 @@ use crate::format::declared_stl_size;
 use crate::warnings::{Warnings, warn_of_faces_left_out};
 use crate::weld::{BYTES_PER_KEY, Welder};
 use crate::{Error, ErrorKind, Format, Limits, Loaded, Place};
-use luxel_scene::{DVec3, MaterialId, Mesh, MeshId, Node, Part, Scene, SceneMaterial};
+use luxel_scene::{DVec3, Joiner, MaterialId, Mesh, Part, Scene, SceneMaterial};
 
 /// A triangle's three indices, and up to three new positions with their keys.
 const BYTES_PER_TRIANGLE: u64 = 12 + 3 * (12 + BYTES_PER_KEY);
@@ -40,13 +40,14 @@ pub(crate) fn stream(
     Ok(facets.map(|facets| loaded(Solids::of_one(name, facets), Warnings::default())))
 }
 
-fn loaded(mut solids: Solids, mut warnings: Warnings) -> Loaded {
+fn loaded(solids: Solids, mut warnings: Warnings) -> Loaded {
     warn_of_faces_left_out(solids.left_out, &mut warnings);
     let mut scene = Scene { up: DVec3::Z, ..Scene::default() };
-    let node = |(number, name)| Node::root(name, Some(MeshId(number)));
-    scene.nodes = (0..).zip(solids.names).map(node).collect();
-    solids.meshes.shrink_to_fit();
-    scene.meshes = solids.meshes.into();
+    let mut joiner = Joiner::new(solids.names.len());
+    for (name, mesh) in solids.names.into_iter().zip(solids.meshes) {
+        joiner.push(name, mesh);
+    }
+    joiner.finish(&mut scene);
     scene.materials.push(SceneMaterial::default());
     Loaded { scene, format: Format::Stl, warnings: warnings.finish() }
 }

@@ -46,7 +46,7 @@ impl MeshTrees {
             let mesh = &scene.meshes[run.start];
             Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
         });
-        let bvhs = bvhs.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
+        let bvhs = all(bvhs)?;
         let counts = scene.meshes.iter().map(|mesh| mesh.triangles.len()).collect();
         Ok(Self { bvhs, counts, quality })
     }
@@ -56,6 +56,16 @@ impl MeshTrees {
         let counts = scene.meshes.iter().map(|mesh| mesh.triangles.len());
         counts.eq(self.counts.iter().copied())
     }
+}
+
+/// All trees that threads have built. Collected by `Result`, a list doesn't know how long it becomes, and takes twice the
+/// memory.
+fn all<T>(built: Vec<Option<Result<T, TooManyForTree>>>) -> Result<Vec<T>, TooManyForTree> {
+    let mut trees = Vec::with_capacity(built.len());
+    for tree in built.into_iter().flatten() {
+        trees.push(tree?);
+    }
+    Ok(trees)
 }
 
 /// A world-space box relative to `middle`, rounded outwards.
@@ -161,7 +171,7 @@ impl SceneRays {
         let placed = map(bodies.len(), 1, &|run| {
             Some(PlacedTree::new(&scene, bodies.object(run.start), quality))
         });
-        let placed = placed.into_iter().flatten().collect::<Result<Vec<_>, _>>()?;
+        let placed = all(placed)?;
         let mut rays = Self {
             scene,
             bodies,

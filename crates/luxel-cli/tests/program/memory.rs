@@ -4,12 +4,29 @@ use crate::output::shell;
 use crate::program::Folder;
 use std::fmt::Write;
 
-/// Both commands read the file with so much memory. `ulimit -d` counts what a process may write to,
+/// These commands do with so much memory: the file is read, and drawn. `ulimit -d` counts what a process may write to,
 /// stacks included.
 #[track_caller]
 fn read_within_bounds(folder: &Folder, model: &str, bytes: usize) {
+    let lines = [format!("info {model}"), format!("render {model} --size 64x48 -o x.png")];
+    work_within_bounds(folder, &lines, bytes);
+}
+
+/// The same, with rays: picks and shadows.
+#[track_caller]
+fn traced_within_bounds(folder: &Folder, model: &str, bytes: usize) {
+    let size = "--size 64x48";
+    let lines = [
+        format!("pick {model} {size} --at 32,24"),
+        format!("render {model} {size} --shadows -o x.png"),
+    ];
+    work_within_bounds(folder, &lines, bytes);
+}
+
+#[track_caller]
+fn work_within_bounds(folder: &Folder, lines: &[String], bytes: usize) {
     let kilobytes = (10 * bytes + 50_000_000) / 1024;
-    for line in [format!("info {model}"), format!("render {model} --size 64x48 -o x.png")] {
+    for line in lines {
         let run = format!("ulimit -d {kilobytes} && \"$0\" {line} --quiet");
         let (status, message) = shell(folder, &run);
         assert_eq!(status, Some(0), "{line}, {kilobytes} kB: {message}");
@@ -29,6 +46,7 @@ fn tens_of_thousands_of_solids_take_ten_times_their_file() {
     }
     folder.write("solids.stl", &text);
     read_within_bounds(&folder, "solids.stl", text.len());
+    traced_within_bounds(&folder, "solids.stl", text.len());
 }
 
 #[test]
@@ -59,6 +77,9 @@ fn hundreds_of_thousands_of_groups_take_ten_times_their_file() {
     for (name, text) in [("shared.obj", shared), ("own.obj", own)] {
         folder.write(name, &text);
         read_within_bounds(&folder, name, text.len());
+        if name == "shared.obj" {
+            traced_within_bounds(&folder, name, text.len());
+        }
     }
 }
 
@@ -126,17 +147,16 @@ fn trees_take_no_more_than_the_limit_counts() {
         let _ = writeln!(sheet, "3 {a} {} {b}\n3 {} {} {b}", a + 1, a + 1, b + 1);
     }
     folder.write("sheet.ply", sheet);
-    let mut small = String::new();
+    let mut small = String::from("vt 0 0\n");
     for number in 0..30_000 {
         let (x, y) = (number % 200, number / 200);
-        let _ = writeln!(
-            small,
-            "solid {number}\nfacet normal 0 0 1\nouter loop\nvertex {x} {y} 0\nvertex {x}.5 {y} 0\n\
-             vertex {x} {y}.5 0\nendloop\nendfacet\nendsolid"
-        );
+        // Objects with texture coordinates share no mesh with those without.
+        let corners = ["-3 -2 -1", "-3/1 -2/1 -1/1"][number % 2];
+        let _ =
+            writeln!(small, "v {x} {y} 0\nv {x}.5 {y} 0\nv {x} {y}.5 0\no {number}\nf {corners}");
     }
-    folder.write("small.stl", small);
-    for model in ["sheet.ply", "small.stl"] {
+    folder.write("small.obj", small);
+    for model in ["sheet.ply", "small.obj"] {
         let plain = format!("render {model} --size 64x48 --samples 1 --threads 2 -o x.png");
         let shadows = format!("{plain} --shadows");
         let needed = trees_of(&folder, &shadows, "30M") / 1024;
