@@ -78,10 +78,10 @@ test("a picture waits for no answers, and a question says why none come, until t
   const page = await browser.context.newPage();
   let arrives = () => {};
   const arrived = new Promise((resolve) => (arrives = resolve));
-  let isMissing = true;
+  let answer = (route) => route.fulfill({ status: 404 });
   await page.context().route("**/answers.wasm", async (route) => {
     await arrived;
-    await (isMissing ? route.fulfill({ status: 404 }) : route.continue());
+    await answer(route);
   });
   try {
     await page.goto(`${site.address}/index.html#demo=teapot&size=64x64`);
@@ -93,7 +93,10 @@ test("a picture waits for no answers, and a question says why none come, until t
     arrives();
     const asked = () => page.evaluate(() => window.luxel.explain(32, 40).then((why) => why.rgba8.length, (error) => error.message));
     assert.match(String(await asked()), /answers\.wasm: 404/);
-    isMissing = false;
+    const other = await (await fetch(`${site.address}/luxel/readers_bg.wasm`)).arrayBuffer();
+    answer = (route) => route.fulfill({ body: Buffer.from(other), contentType: "application/wasm" });
+    assert.match(String(await asked()), /another build/);
+    answer = (route) => route.continue();
     assert.equal(await asked(), 4);
   } finally {
     await page.context().unroute("**/answers.wasm");

@@ -5,6 +5,10 @@ let failure;
 
 /** Links the module that answers to the one that draws, which has been started. */
 export function linkAnswers(module) {
+  const [build] = WebAssembly.Module.customSections(module, "luxel-build");
+  if (build === undefined || new TextDecoder().decode(build) !== "{build}") {
+    throw new Error("answers.wasm is of another build than the rest of luxel");
+  }
   compiled = module;
   failure = undefined;
   try {

@@ -1,7 +1,9 @@
 //! Takes the part that answers out of a module.
 
 use std::error::Error;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
+use walrus::{ModuleConfig, RawCustomSection};
 use wasm_split_cli_support::{Options, transform};
 
 /// Writes `answers.wasm`, `answers.js` and `answers.d.ts`, and returns the rest of the module.
@@ -27,12 +29,20 @@ pub fn without_answers(
     let [answers] = &split.split_modules[..] else {
         return Err(format!("split in {} parts", split.split_modules.len()).into());
     };
+    let mut hasher = DefaultHasher::new();
+    module.hash(&mut hasher);
+    let build = format!("{:016x}", hasher.finish());
     // Written anew, numbers are as short as they can be.
-    let mut config = walrus::ModuleConfig::new();
+    let mut config = ModuleConfig::new();
     config.generate_name_section(false).generate_producers_section(false);
-    config.parse_file(answers)?.emit_wasm_file(folder.join("answers.wasm"))?;
+    let mut answers = config.parse_file(answers)?;
+    // Linked to another build, it would write anywhere.
+    let data = build.clone().into_bytes();
+    answers.customs.add(RawCustomSection { name: "luxel-build".to_owned(), data });
+    answers.emit_wasm_file(folder.join("answers.wasm"))?;
     // The script that comes with the split fetches by itself; this one is given what was compiled.
-    let script = include_str!("answers.js").replace("{drawing}", &drawing);
+    let script =
+        include_str!("answers.js").replace("{drawing}", &drawing).replace("{build}", &build);
     std::fs::write(folder.join("answers.js"), script)?;
     std::fs::write(folder.join("answers.d.ts"), include_str!("answers.d.ts"))?;
     let rest = std::fs::read(rest)?;

@@ -31,10 +31,12 @@ function got<T>(things: Map<number, T>, id: number, what: string): T {
 /** The module that answers, fetched once the first picture is drawn, or for the first question. */
 async function canAnswer(): Promise<void> {
   answering ??= compile(urls.answers).then(linkAnswers);
+  const own = answering;
   try {
-    await answering;
+    await own;
   } catch (error) {
-    answering = undefined;
+    // Another question may have begun to fetch it anew.
+    if (answering === own) answering = undefined;
     throw error;
   }
 }
