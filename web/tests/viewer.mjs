@@ -224,9 +224,8 @@ test("lights move with their handles, by mouse and by keys, and the command draw
       await page.waitForFunction((was) => !document.querySelector("#command").textContent.includes(was), kind === "direction" ? was[0] : was[1]);
       await settled();
       const [nowX, nowY] = await placeOf(kind);
-      // Numbers of lights are rounded to five digits; a target is as far from its light as before.
-      const most = kind === "target" ? 8 : 1;
-      assert.ok(Math.abs(nowX - (x - 18)) < most && Math.abs(nowY - (y + 14)) < most, `${kind}: ${[x, y]} to ${[nowX, nowY]}`);
+      // Numbers of lights are rounded to five digits.
+      assert.ok(Math.abs(nowX - (x - 18)) < 1 && Math.abs(nowY - (y + 14)) < 1, `${kind}: ${[x, y]} to ${[nowX, nowY]}`);
       const now = await lights();
       assert.notEqual(now.join(), was.join());
       const drawn = await pixelsOf(page);

@@ -125,8 +125,8 @@ impl HandleView<'_> {
         }
     }
 
-    /// The pose of a light whose handle is moved to a place of the picture: at its own depth, or around the sphere,
-    /// on whose near side it was if `is_near`. `None` where no point is.
+    /// The pose of a light whose handle is moved to a place of the picture: a position at its own depth, a target around
+    /// its light, a direction around the sphere, on whose near side it was if `is_near`. `None` where no point is.
     #[must_use]
     pub fn moved(
         &self,
@@ -137,12 +137,37 @@ impl HandleView<'_> {
     ) -> Option<LightPose> {
         let to = match kind {
             HandleKind::Direction(_) => self.sphere.direction(to, is_near),
-            HandleKind::Position(point) | HandleKind::Target(point) => {
-                let depth = place_in_picture(self.camera, self.size, point)?.z;
-                point_in_picture(self.camera, self.size, to.extend(depth))?
-            }
+            HandleKind::Position(point) => self.at_depth_of(point, to)?,
+            HandleKind::Target(point) => self.around(pose.position, point, to)?,
         };
         Some(self.pose_with(kind, to, pose))
+    }
+
+    /// The point at a place of the picture that is as deep as another point.
+    fn at_depth_of(&self, point: DVec3, to: DVec2) -> Option<DVec3> {
+        let depth = place_in_picture(self.camera, self.size, point)?.z;
+        point_in_picture(self.camera, self.size, to.extend(depth))
+    }
+
+    /// The point at a place of the picture that is as far from a centre as another point: of two, the one nearer to
+    /// that point. Where the line of sight passes the sphere by, its point nearest to the centre.
+    fn around(&self, centre: DVec3, point: DVec3, to: DVec2) -> Option<DVec3> {
+        let at = self.at_depth_of(point, to)?;
+        let sight = match self.camera.projection.is_orthographic() {
+            true => self.camera.direction(),
+            false => (at - self.camera.eye()).normalize(),
+        };
+        // |at + t sight - centre|^2 = |point - centre|^2
+        let middle = at + sight * sight.dot(centre - at);
+        let half = point.distance_squared(centre) - middle.distance_squared(centre);
+        if half <= 0.0 {
+            return Some(middle);
+        }
+        let half = sight * half.sqrt();
+        let is_seen = |end: &DVec3| place_in_picture(self.camera, self.size, *end).is_some();
+        let nearer =
+            |a: &DVec3, b: &DVec3| a.distance_squared(point).total_cmp(&b.distance_squared(point));
+        [middle - half, middle + half].into_iter().filter(is_seen).min_by(nearer)
     }
 
     /// The pose of a light whose handle is moved along the line of sight, away from the eye by this part of its
@@ -255,19 +280,39 @@ mod tests {
     }
 
     #[test]
-    fn a_spot_light_turns_to_its_target_and_stays() {
+    fn a_spot_light_stays_and_turns_until_its_target_is_where_it_was_moved_to() {
+        for lens in [Lens::Perspective { fov_y_radians: 0.8 }, Lens::Orthographic { height: 6.0 }] {
+            let camera = camera(lens);
+            let view = view(&camera);
+            let kind = LightKind::Spot(Cone::Exponent { exponent: 1.0, cos_cutoff: 0.9 });
+            let [target, position] = view.handles(kind, POSE)[..] else { panic!("two handles") };
+            assert_eq!(position.kind, HandleKind::Position(POSE.position));
+            for offset in [DVec2::new(40.0, -60.0), DVec2::new(-25.0, 10.0), DVec2::ZERO] {
+                let to = target.place + offset;
+                let pose = view.moved(target.kind, to, true, POSE).unwrap();
+                assert_eq!(pose.position, POSE.position);
+                assert!((pose.direction.length() - 1.0).abs() < 1e-12);
+                let [moved, _] = view.handles(kind, pose)[..] else { panic!("two handles") };
+                assert!(moved.place.abs_diff_eq(to, 1e-6), "{lens:?}: {moved:?} is not at {to}");
+            }
+            let stays = view.moved(target.kind, target.place, true, POSE).unwrap();
+            assert!(stays.direction.abs_diff_eq(POSE.direction, 1e-9), "{lens:?}");
+        }
+    }
+
+    #[test]
+    fn a_target_that_is_moved_beyond_its_reach_lies_in_that_direction() {
         let camera = camera(Lens::Perspective { fov_y_radians: 0.8 });
         let view = view(&camera);
         let kind = LightKind::Spot(Cone::Exponent { exponent: 1.0, cos_cutoff: 0.9 });
         let [target, position] = view.handles(kind, POSE)[..] else { panic!("two handles") };
-        assert_eq!(position.kind, HandleKind::Position(POSE.position));
-        let to = target.place + DVec2::new(50.0, -80.0);
+        let way = DVec2::new(3.0, -4.0).normalize();
+        let to = position.place + way * 400.0;
         let pose = view.moved(target.kind, to, true, POSE).unwrap();
-        assert_eq!(pose.position, POSE.position);
-        assert!((pose.direction.length() - 1.0).abs() < 1e-12);
-        let HandleKind::Target(aim) = target.kind else { panic!("{target:?}") };
-        let depth = place_in_picture(&camera, SIZE, aim).unwrap().z;
-        let aimed = point_in_picture(&camera, SIZE, to.extend(depth)).unwrap();
-        assert!(pose.direction.cross(aimed - POSE.position).length() < 1e-9);
+        let [moved, _] = view.handles(kind, pose)[..] else { panic!("two handles") };
+        assert!((moved.place - position.place).normalize().dot(way) > 0.99, "{moved:?}");
+        // The light shines across the line of sight.
+        let sight = point_in_picture(&camera, SIZE, to.extend(0.5)).unwrap() - camera.eye();
+        assert!(pose.direction.dot(sight.normalize()).abs() < 1e-9, "{pose:?}");
     }
 }
