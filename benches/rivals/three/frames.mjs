@@ -17,6 +17,8 @@ const [folder, three, turns = "3"] = process.argv.slice(2);
 const SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 const VIEWER = "index.html#demo=teapot&size=64x64";
 const FRAMES = 30;
+/** Frames before those, of both: workers begin with code from the compiler that is quick to compile. */
+const WARM_UP = 40;
 const PEER = `<!doctype html><canvas id="c" width="1280" height="720"></canvas>
 <script type="importmap">{"imports": {"three": "/three/build/three.module.js"}}</script>`;
 
@@ -47,7 +49,7 @@ function bumpyBall([rings, segments]) {
   return { places, triangles };
 }
 
-async function framesOfLuxel({ places, triangles }, workers, frames) {
+async function framesOfLuxel({ places, triangles }, workers, before, frames) {
   const lines = (of) => Array.from({ length: of.length / 3 }, (_, at) => of.slice(3 * at, 3 * at + 3));
   const text = [
     ...lines(places).map((place) => `v ${place.join(" ")}`),
@@ -63,18 +65,17 @@ async function framesOfLuxel({ places, triangles }, workers, frames) {
   await view.ready();
   const canvas = document.createElement("canvas");
   const times = [];
-  for (let frame = 0; frame < frames + 10; frame++) {
+  for (let frame = 0; frame < before + frames; frame++) {
     await view.navigate(["tap", "orbit-right", 0.02]);
     const begin = performance.now();
     await view.draw(canvas, { workers });
     times.push(performance.now() - begin);
   }
   scene.dispose();
-  // The first ones are run by the compiler that is quick to compile.
-  return times.slice(10);
+  return times.slice(before);
 }
 
-async function framesOfThree({ places, triangles }, frames) {
+async function framesOfThree({ places, triangles }, before, frames) {
   const T = await import("three");
   const geometry = new T.BufferGeometry();
   geometry.setAttribute("position", new T.BufferAttribute(new Float32Array(places), 3));
@@ -95,14 +96,14 @@ async function framesOfThree({ places, triangles }, frames) {
   const gl = renderer.getContext();
   const pixel = new Uint8Array(4);
   const times = [];
-  for (let frame = 0; frame < frames + 2; frame++) {
+  for (let frame = 0; frame < before + frames; frame++) {
     scene.rotation.y += 0.01;
     const begin = performance.now();
     renderer.render(scene, camera);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     times.push(performance.now() - begin);
   }
-  return times.slice(2);
+  return times.slice(before);
 }
 
 const site = await serve(resolve(folder));
@@ -128,9 +129,9 @@ for (const shape of [[16, 34], [224, 224]]) {
   const ball = bumpyBall(shape);
   const [one, two, peer] = [[], [], []];
   for (let turn = 0; turn < Number(turns); turn++) {
-    peer.push(...(await times(peers, "peer.html", framesOfThree, ball, FRAMES)));
-    one.push(...(await times(browser, VIEWER, framesOfLuxel, ball, 1, FRAMES)));
-    two.push(...(await times(browser, VIEWER, framesOfLuxel, ball, 2, FRAMES)));
+    peer.push(...(await times(peers, "peer.html", framesOfThree, ball, WARM_UP, FRAMES)));
+    one.push(...(await times(browser, VIEWER, framesOfLuxel, ball, 1, WARM_UP, FRAMES)));
+    two.push(...(await times(browser, VIEWER, framesOfLuxel, ball, 2, WARM_UP, FRAMES)));
   }
   const [a, b, c] = [one, two, peer].map(median);
   const ratio = Number((c / a).toFixed(2));
