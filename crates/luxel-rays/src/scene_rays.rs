@@ -58,8 +58,8 @@ impl MeshTrees {
     }
 }
 
-/// All trees that threads have built. Collected by `Result`, a list doesn't know how long it becomes, and takes twice the
-/// memory.
+/// All trees that threads have built. Collected by `Result`, a list doesn't know how long it becomes, and takes up to
+/// twice the memory.
 fn all<T>(built: Vec<Option<Result<T, TooManyForTree>>>) -> Result<Vec<T>, TooManyForTree> {
     let mut trees = Vec::with_capacity(built.len());
     for tree in built.into_iter().flatten() {
