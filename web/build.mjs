@@ -74,7 +74,7 @@ const writeArticle = (name, change = (text) => text) => {
   writeFileSync(join(out, `${name}.html`), page);
 };
 
-// Still pictures, drawn by the same modules: shown before it arrives, without JavaScript, and in print.
+// Still pictures, drawn by the same modules: shown before they arrive, without JavaScript, and in print.
 const { initSync, Model, ModelView } = await import(join(here, "package/wasm/luxel.js"));
 const { linkAnswers } = await import(join(here, "package/wasm/answers.js"));
 initSync({ module: readFileSync(join(here, "package/wasm/luxel_bg.wasm")) });

@@ -79,7 +79,9 @@ test("a picture waits for no answers, and a question says why none come, until t
   let arrives = () => {};
   const arrived = new Promise((resolve) => (arrives = resolve));
   let answer = (route) => route.fulfill({ status: 404 });
+  let fetches = 0;
   await page.context().route("**/answers.wasm", async (route) => {
+    fetches += 1;
     await arrived;
     await answer(route);
   });
@@ -93,6 +95,15 @@ test("a picture waits for no answers, and a question says why none come, until t
     arrives();
     const asked = () => page.evaluate(() => window.luxel.explain(32, 40).then((why) => why.rgba8.length, (error) => error.message));
     assert.match(String(await asked()), /answers\.wasm: 404/);
+    const before = fetches;
+    await page.evaluate(async () => {
+      const { demo } = await import("./luxel/luxel.js");
+      const scene = await demo("teapot");
+      const view = await scene.view({ size: "64x64" });
+      for (let frame = 0; frame < 3; frame++) await view.render();
+      scene.dispose();
+    });
+    assert.equal(fetches, before, "each picture fetches what is missing");
     const other = await (await fetch(`${site.address}/luxel/readers_bg.wasm`)).arrayBuffer();
     answer = (route) => route.fulfill({ body: Buffer.from(other), contentType: "application/wasm" });
     assert.match(String(await asked()), /another build/);

@@ -18,6 +18,8 @@ const drawers = new Map<number, { drawer: Drawer; version: number }>();
 let memory: WebAssembly.Memory | undefined;
 let urls: ModuleUrls;
 let answering: Promise<void> | undefined;
+/** The first fetch of the module that answers: only questions repeat one that failed. */
+let fetched: Promise<void> | undefined;
 let readers: Promise<typeof Readers> | undefined;
 
 function got<T>(things: Map<number, T>, id: number, what: string): T {
@@ -258,7 +260,7 @@ const answers: Answers = {
       open === undefined ? got(drawers, id, "view") : { drawer: open.view, version: open.version };
     if (own === version) drawer.draw_part(view, part, parts, into);
     // Not to be waited for: a question says what is wrong.
-    if (open !== undefined) canAnswer().catch(() => {});
+    if (open !== undefined) fetched ??= canAnswer().catch(() => {});
     return { isDrawn: own === version, pixels: into };
   },
 
