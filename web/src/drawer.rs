@@ -1,9 +1,10 @@
 //! Shares of pictures, drawn by several workers side by side.
 
 use crate::error::exception;
-use crate::view::{ModelView, execution};
+use crate::view::{ModelView, draft, execution, sampled};
 use luxel::lighting::{EnvironmentMap, OrientedMap};
-use luxel::render::{Picture, Renderer, TILE_SIDE};
+use luxel::render::{Picture, Renderer, TILE_SIDE, View};
+use luxel::scene::Size;
 use std::cell::RefCell;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -40,47 +41,47 @@ impl Drawer {
         Ok(Self { renderer, map: map.map(Arc::new) })
     }
 
-    /// Draws a share of the picture of a view of [`ModelView::pack`] into `pixels`: of rows of tiles, which are 64 pixels
-    /// high, every `parts`-th from number `part` on, one below the other.
+    /// Draws a share of the picture of a view of [`ModelView::pack`] into `pixels`, one cell after the other, each row by
+    /// row. A cell is a rectangle of pixels, four numbers (left, top, right, bottom), which begins where a tile of 64x64
+    /// does and ends where one does or the picture. A draft has one sample and casts no rays; other pictures have the
+    /// view's `samples` if these are 0.
     ///
     /// # Errors
-    /// An exception for other bytes, for a picture that is too large, and for too few `pixels`.
-    pub fn draw_part(
+    /// An exception for other bytes and cells, for a picture that is too large, and for too few `pixels`.
+    pub fn draw_cells(
         &self,
         view: &[u8],
-        part: usize,
-        parts: usize,
+        is_draft: bool,
+        samples: u32,
+        cells: &[u32],
         pixels: &Pixels,
     ) -> Result<(), JsError> {
-        draw_part((&self.renderer, self.map.as_ref()), view, (part, parts), pixels)
+        let view = chosen(view, self.map.as_ref(), is_draft, samples)?;
+        draw_cells(&self.renderer, &view, cells, pixels)
     }
 }
 
 #[wasm_bindgen]
 impl ModelView {
-    /// As [`Drawer::draw_part`].
+    /// As [`Drawer::draw_cells`].
     ///
     /// # Errors
     /// As there.
-    pub fn draw_part(
+    pub fn draw_cells(
         &self,
         view: &[u8],
-        part: usize,
-        parts: usize,
+        is_draft: bool,
+        samples: u32,
+        cells: &[u32],
         pixels: &Pixels,
     ) -> Result<(), JsError> {
         let map = self.view.environment.map().map(OrientedMap::map);
-        draw_part((&self.renderer, map), view, (part, parts), pixels)
+        draw_cells(&self.renderer, &chosen(view, map, is_draft, samples)?, cells, pixels)
     }
 
-    /// The view as it is now but for the map of its environment, for drawers: with another number of samples than its own if that isn't 0; a draft has
-    /// one and casts no rays.
-    pub fn pack(&self, is_draft: bool, samples: u32) -> Vec<u8> {
-        luxel::pack_view_without_map(&if is_draft {
-            self.draft_view()
-        } else {
-            self.sampled(samples)
-        })
+    /// The view as it is now but for the map of its environment, for drawers.
+    pub fn pack(&self) -> Vec<u8> {
+        luxel::pack_view_without_map(&self.view)
     }
 
     /// The scene with the settings' materials and normals, for drawers.
@@ -106,26 +107,58 @@ thread_local! {
     static PICTURE: RefCell<Picture<[u8; 4]>> = RefCell::default();
 }
 
-fn draw_part(
-    (renderer, map): (&Renderer, Option<&Arc<EnvironmentMap>>),
+/// A packed view with the map that it lacks, as a draft or with other samples.
+fn chosen(
     view: &[u8],
-    (part, parts): (usize, usize),
+    map: Option<&Arc<EnvironmentMap>>,
+    is_draft: bool,
+    samples: u32,
+) -> Result<View, JsError> {
+    let view = luxel::unpack_view_with_map(view, map).map_err(exception)?;
+    Ok(if is_draft { draft(view) } else { sampled(view, samples) })
+}
+
+fn draw_cells(
+    renderer: &Renderer,
+    view: &View,
+    cells: &[u32],
     pixels: &Pixels,
 ) -> Result<(), JsError> {
-    let view = luxel::unpack_view_with_map(view, map).map_err(exception)?;
-    let parts = parts.max(1);
-    let width = view.size.width as usize;
-    let across = width.div_ceil(TILE_SIDE as usize);
-    let is_mine = |tile: usize| (tile / across) % parts == part;
+    let Size { width, height } = view.size;
+    let side = TILE_SIDE as u32;
+    let (cells, rest) = cells.as_chunks::<4>();
+    let is_sound = |&[left, top, right, bottom]: &[u32; 4]| {
+        left < right && right <= width && top < bottom && bottom <= height
+    };
+    if !rest.is_empty() || !cells.iter().all(is_sound) {
+        return Err(JsError::new("these are no cells of the picture"));
+    }
+    let across = width.div_ceil(side);
+    let is_mine = |tile: usize| {
+        let (x, y) = (tile as u32 % across * side, tile as u32 / across * side);
+        cells.iter().any(|&[left, top, right, bottom]| {
+            (left..right).contains(&x) && (top..bottom).contains(&y)
+        })
+    };
     PICTURE.with_borrow_mut(|picture| {
-        renderer.rgba8_tiles_into(&view, is_mine, picture).map_err(exception)?;
-        if parts == 1 {
-            return pixels.set(picture.pixels.as_flattened(), 0).map_err(too_few);
-        }
+        renderer.rgba8_tiles_into(view, is_mine, picture).map_err(exception)?;
         let mut at = 0;
-        for band in picture.pixels.chunks(TILE_SIDE as usize * width).skip(part).step_by(parts) {
-            pixels.set(band.as_flattened(), at).map_err(too_few)?;
-            at += band.as_flattened().len();
+        let mut put = |run: &[[u8; 4]]| -> Result<(), JsError> {
+            pixels.set(run.as_flattened(), at).map_err(too_few)?;
+            at += run.as_flattened().len();
+            Ok(())
+        };
+        let width = width as usize;
+        for cell in cells {
+            let [left, top, right, bottom] = cell.map(|edge| edge as usize);
+            let rows = &picture.pixels[top * width..bottom * width];
+            if right - left == width {
+                put(rows)?;
+                continue;
+            }
+            for row in rows.chunks_exact(width) {
+                put(&row[left..right])?;
+            }
         }
         Ok(())
     })

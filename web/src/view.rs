@@ -130,7 +130,8 @@ impl ModelView {
     /// # Errors
     /// An exception for other numbers of samples than 0, 1, 2, 4, 8 and 16, and for a picture that is too large.
     pub fn draw(&self, samples: u32) -> Result<Vec<u8>, JsError> {
-        let picture = self.renderer.rgba8(&self.sampled(samples)).map_err(exception)?;
+        let picture =
+            self.renderer.rgba8(&sampled(self.view.clone(), samples)).map_err(exception)?;
         Ok(picture.pixels.into_flattened())
     }
 
@@ -145,7 +146,7 @@ impl ModelView {
     /// # Errors
     /// An exception for a picture that is too large.
     pub fn draft(&self) -> Result<Vec<u8>, JsError> {
-        let picture = self.renderer.rgba8(&self.draft_view()).map_err(exception)?;
+        let picture = self.renderer.rgba8(&draft(self.view.clone())).map_err(exception)?;
         Ok(picture.pixels.into_flattened())
     }
 }
@@ -184,25 +185,23 @@ impl ModelView {
         view.rest();
         Ok(view)
     }
+}
 
-    /// The view with a number of samples, 0 for its own.
-    pub(crate) fn sampled(&self, samples: u32) -> View {
-        let mut view = self.view.clone();
-        if samples != 0 {
-            view.samples = samples;
-        }
-        view
+/// A view with another number of samples than its own, if that isn't 0.
+pub(crate) fn sampled(mut view: View, samples: u32) -> View {
+    if samples != 0 {
+        view.samples = samples;
     }
+    view
+}
 
-    /// The view with one sample and without rays.
-    pub(crate) fn draft_view(&self) -> View {
-        let mut view = self.view.clone();
-        view.samples = 1;
-        view.shadows = false;
-        view.ground = false;
-        view.ambient_occlusion = None;
-        view
-    }
+/// A view with one sample and without rays.
+pub(crate) fn draft(mut view: View) -> View {
+    view.samples = 1;
+    view.shadows = false;
+    view.ground = false;
+    view.ambient_occlusion = None;
+    view
 }
 
 /// How pictures are drawn.

@@ -53,8 +53,8 @@ export class Scene {
   /** A view of the scene; rejects if the settings are not possible. */
   async view(settings: Settings = {}): Promise<View> {
     const id = next++;
-    await this.#hand.call("open", [id, this.#id, JSON.stringify(pairs(settings))]);
-    const view: View = new View(this.#hand, id, () => this.#views.delete(view));
+    const frame = await this.#hand.call("open", [id, this.#id, JSON.stringify(pairs(settings))]);
+    const view: View = new View(this.#hand, id, frame, () => this.#views.delete(view));
     this.#views.add(view);
     return view;
   }

@@ -1,7 +1,13 @@
 /** What the page and its workers say to one another. */
 
-/** Bytes of a picture, or of a share of it: rows of tiles, one below the other. */
+/** Bytes of a picture, or of a share of it: cells, one after the other, each row by row. */
 export type Pixels = Uint8ClampedArray<ArrayBuffer>;
+
+/** How a picture is drawn: a draft has one sample and casts no rays, others the view's samples if these are 0. */
+export interface Quality {
+  isDraft: boolean;
+  samples: number;
+}
 
 /** An event of navigation: the name of a method and its arguments. */
 export type NavigationEvent =
@@ -31,7 +37,7 @@ export interface CameraState {
   settings: Record<string, string>;
 }
 
-/** What a frame is drawn from, by any worker that has the scene. */
+/** What pictures of a view are drawn from, by any worker that has the scene. */
 export interface Frame {
   view: Uint8Array<ArrayBuffer>;
   /** Counts changes of the scene: a drawer with another number needs it anew. */
@@ -74,12 +80,12 @@ export interface Calls {
     maxMemory: number,
   ): { name: string; warnings: string };
   freeModel(id: number): void;
-  open(id: number, model: number, settings: string): void;
+  open(id: number, model: number, settings: string): Frame;
   close(id: number): void;
-  set(id: number, settings: string): void;
-  hide(id: number, objects: number[]): void;
-  step(id: number, events: readonly NavigationEvent[]): CameraState;
-  frame(id: number, isDraft: boolean, samples: number): Frame;
+  set(id: number, settings: string): Frame;
+  hide(id: number, objects: number[]): Frame;
+  step(id: number, events: readonly NavigationEvent[]): Frame;
+  frame(id: number): Frame;
   packedScene(id: number): PackedScene;
   layer(id: number, name: string): Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
   layerPicture(id: number, name: string): Pixels;
@@ -95,15 +101,14 @@ export interface Calls {
   /** For drawers: the scene of a view, and which of its objects are hidden. */
   prepare(id: number, scene: PackedScene): void;
   /**
-   * Draws a share of a frame into `into`, which comes back: every `parts`-th row of tiles from `part` on. Nothing is
-   * drawn if the scene is another one meanwhile.
+   * Draws cells of a picture into `into`, which comes back: rectangles, four numbers each (left, top, right, bottom).
+   * Nothing is drawn if the scene is another one meanwhile.
    */
   draw(
     id: number,
-    version: number,
-    view: Uint8Array<ArrayBuffer>,
-    part: number,
-    parts: number,
+    frame: Pick<Frame, "view" | "version">,
+    quality: Quality,
+    cells: Uint32Array,
     into: Pixels,
   ): { isDrawn: boolean; pixels: Pixels };
   memory(): number;

@@ -14,10 +14,9 @@ import type {
   RegionHit,
 } from "./answers.ts";
 import type { CameraState, Frame, NavigationEvent, Pixels } from "./protocol.ts";
+import { bytesOf, copyCell, drawnCells, numbersOf, sharesOf, type DrawnShare } from "./shares.ts";
 import { pairs, type Settings } from "./settings.ts";
 
-/** The height of a row of tiles, in pixels. */
-const TILE = 64;
 
 /** How a picture is drawn. */
 export interface DrawOptions {
@@ -29,18 +28,18 @@ export interface DrawOptions {
   workers?: number;
 }
 
-/** A drawn picture, by rows of tiles as workers have drawn them. */
+/** A drawn picture, as its workers have drawn it. */
 interface Drawn {
-  width: number;
-  height: number;
-  parts: Pixels[];
   frame: Frame;
+  shares: DrawnShare[];
 }
 
 /** A view of a scene. Its calls are answered in the order in which they are made. */
 export class View {
   readonly #hand: Hand;
   readonly #id: number;
+  /** What pictures are drawn from, after all calls so far. */
+  #frame: Promise<Frame>;
   /** The versions of the scene that helpers have. */
   #prepared = new WeakMap<Hand, Promise<number>>();
   /** Shares of pictures that are shown already; fresh memory for each frame would cost a quarter of its time. */
@@ -49,20 +48,21 @@ export class View {
   readonly #onDispose: () => void;
 
   /** @internal */
-  constructor(hand: Hand, id: number, onDispose: () => void) {
+  constructor(hand: Hand, id: number, frame: Frame, onDispose: () => void) {
     this.#hand = hand;
     this.#id = id;
+    this.#frame = Promise.resolve(frame);
     this.#onDispose = onDispose;
   }
 
   /** Replaces all settings. A camera moved by hand stays, unless the settings choose another than before. */
-  set(settings: Settings): Promise<void> {
-    return this.#hand.call("set", [this.#id, JSON.stringify(pairs(settings))]);
+  async set(settings: Settings): Promise<void> {
+    await this.#change(this.#hand.call("set", [this.#id, JSON.stringify(pairs(settings))]));
   }
 
   /** Hides objects, by their places in `scene.description.objects`, and shows all others. */
   async hide(objects: Iterable<number>): Promise<void> {
-    await this.#hand.call("hide", [this.#id, [...objects]]);
+    await this.#change(this.#hand.call("hide", [this.#id, [...objects]]));
   }
 
   /**
@@ -71,30 +71,33 @@ export class View {
    */
   async render(options: DrawOptions = {}, reused?: ImageData): Promise<ImageData> {
     if (reused !== undefined) this.#spare.push(reused.data as Pixels);
-    const { width, height, parts } = await this.#draw(options);
-    if (parts.length === 1) {
-      return new ImageData(parts[0]!, width, height);
+    const { frame, shares } = await this.#draw(options);
+    const { width, height } = frame;
+    if (shares.length === 1) {
+      return new ImageData(shares[0]!.pixels, width, height);
     }
-    const pixels = this.#pixels(width * height * 4);
-    eachBand(width, height, parts, (band, top) => pixels.set(band, top * width * 4));
-    this.#spare.push(...parts);
-    return new ImageData(pixels, width, height);
+    const picture = this.#pixels(width * height * 4);
+    for (const { cell, pixels } of drawnCells(shares)) {
+      copyCell(cell, pixels, picture, width);
+    }
+    this.#reuse(shares);
+    return new ImageData(picture, width, height);
   }
 
   /** Draws the picture into a canvas, which takes its size; the camera that it shows. */
   async draw(canvas: HTMLCanvasElement, options: DrawOptions = {}): Promise<CameraState & { hasRays: boolean }> {
-    const { width, height, parts, frame } = await this.#draw(options);
+    const { frame, shares } = await this.#draw(options);
     // Setting a size clears the canvas.
-    if (canvas.width !== width) canvas.width = width;
-    if (canvas.height !== height) canvas.height = height;
+    if (canvas.width !== frame.width) canvas.width = frame.width;
+    if (canvas.height !== frame.height) canvas.height = frame.height;
     const context = canvas.getContext("2d");
     if (context === null) {
       throw new LuxelError("this canvas can't be drawn to");
     }
-    eachBand(width, height, parts, (band, top) => {
-      context.putImageData(new ImageData(band, width, band.length / 4 / width), 0, top);
-    });
-    this.#spare.push(...parts);
+    for (const { cell, pixels } of drawnCells(shares)) {
+      context.putImageData(new ImageData(pixels, cell.right - cell.left), cell.left, cell.top);
+    }
+    this.#reuse(shares);
     return { ...frame.camera, hasRays: frame.hasRays };
   }
 
@@ -160,8 +163,8 @@ export class View {
   }
 
   /** Moves the camera. */
-  navigate(...events: NavigationEvent[]): Promise<CameraState> {
-    return this.#hand.call("step", [this.#id, events]);
+  async navigate(...events: NavigationEvent[]): Promise<CameraState> {
+    return (await this.#change(this.#hand.call("step", [this.#id, events]))).camera;
   }
 
   /** The log of all that has moved the camera; `luxel navigate --replay` plays it. */
@@ -203,28 +206,39 @@ export class View {
     this.dispose();
   }
 
+  /** Notes the frame after a call that changes it; one that fails may have changed it, too. */
+  #change(call: Promise<Frame>): Promise<Frame> {
+    this.#frame = call.catch(() => this.#hand.call("frame", [this.#id]));
+    // A worker that has ended says so to those who draw.
+    this.#frame.catch(() => {});
+    return call;
+  }
+
   async #draw({ draft = false, samples = 0, workers }: DrawOptions): Promise<Drawn> {
-    const frame = await this.#hand.call("frame", [this.#id, draft, samples]);
-    const { width, height, view, version } = frame;
-    const rows = Math.ceil(height / TILE);
+    const frame = await this.#frame;
+    const { width, height, version } = frame;
     /** A smaller picture is drawn before a second worker has heard of it. */
     const least = 40_000;
     const many = workers ?? (width * height < least ? 1 : Infinity);
     const hands = [this.#hand, ...(many > 1 ? await this.#ready(version, many - 1) : [])];
-    const count = Math.min(hands.length, rows);
     const drawn = await Promise.all(
-      hands.slice(0, count).map((hand, part) => {
-        const into = this.#pixels(shareBytes(width, height, part, count));
-        return hand.call("draw", [this.#id, version, view, part, count, into], [into.buffer]);
+      sharesOf(width, height, hands.length).map(async (cells, at) => {
+        const into = this.#pixels(bytesOf(cells));
+        const parameters = [this.#id, frame, { isDraft: draft, samples }, numbersOf(cells), into] as const;
+        const { isDrawn, pixels } = await hands[at]!.call("draw", [...parameters], [into.buffer]);
+        return { isDrawn, cells, pixels };
       }),
     );
-    const parts = drawn.map(({ pixels }) => pixels);
     if (drawn.every(({ isDrawn }) => isDrawn)) {
-      return { width, height, frame, parts };
+      return { frame, shares: drawn };
     }
     // The scene was changed meanwhile: the picture is drawn as it is now.
-    this.#spare.push(...parts);
+    this.#reuse(drawn);
     return this.#draw({ draft, samples, workers });
+  }
+
+  #reuse(shares: readonly DrawnShare[]): void {
+    this.#spare.push(...shares.map(({ pixels }) => pixels));
   }
 
   /** Memory for a share of a picture: an earlier picture's, if it has as many bytes. */
@@ -265,36 +279,8 @@ export class View {
   /** Waits until all helpers have the scene. */
   async ready(): Promise<void> {
     await this.#hand.ready;
-    const { version } = await this.#hand.call("frame", [this.#id, true, 0]);
+    const { version } = await this.#frame;
     await this.#ready(version, Infinity);
     await Promise.all(helpers().map((hand) => this.#prepared.get(hand)));
   }
 }
-
-/** The bytes of a share of a picture: every `parts`-th row of tiles from `part` on. */
-function shareBytes(width: number, height: number, part: number, parts: number): number {
-  let lines = 0;
-  for (let top = part * TILE; top < height; top += parts * TILE) {
-    lines += Math.min(TILE, height - top);
-  }
-  return lines * width * 4;
-}
-
-/** Each row of tiles with its first line; part p of n holds rows p, p + n, p + 2n and so on. */
-function eachBand(
-  width: number,
-  height: number,
-  parts: readonly Pixels[],
-  use: (band: Pixels, top: number) => void,
-): void {
-  if (parts.length === 1) {
-    use(parts[0]!, 0);
-    return;
-  }
-  for (let row = 0; row * TILE < height; row++) {
-    const start = Math.floor(row / parts.length) * TILE * width * 4;
-    const lines = Math.min(TILE, height - row * TILE);
-    use(parts[row % parts.length]!.subarray(start, start + lines * width * 4), row * TILE);
-  }
-}
-

@@ -4,7 +4,7 @@ import { linkAnswers } from "../wasm/answers.js";
 import initialize, { Drawer, Model, ModelView } from "../wasm/luxel.js";
 import type * as Readers from "../wasm/readers.js";
 import { compile } from "./compile.ts";
-import type { CallName, Calls, CameraState, Files, ModuleUrls, NavigationEvent, Pixels, Request, Response } from "./protocol.ts";
+import type { CallName, Calls, CameraState, Files, Frame, ModuleUrls, NavigationEvent, Pixels, Request, Response } from "./protocol.ts";
 
 interface OpenView {
   view: ModelView;
@@ -115,6 +115,18 @@ function cameraState(view: ModelView): CameraState {
   };
 }
 
+function frameOf(id: number): Frame {
+  const { view, version } = got(views, id, "view");
+  return {
+    view: view.pack() as Uint8Array<ArrayBuffer>,
+    version,
+    width: view.width,
+    height: view.height,
+    hasRays: view.has_rays,
+    camera: cameraState(view),
+  };
+}
+
 function pixels(bytes: Uint8Array): Pixels {
   return new Uint8ClampedArray(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength);
 }
@@ -157,6 +169,7 @@ const answers: Answers = {
 
   open(id, model, settings) {
     views.set(id, { view: ModelView.of(got(models, model, "scene"), settings), version: 0, hidden: [] });
+    return frameOf(id);
   },
 
   close(id) {
@@ -171,6 +184,7 @@ const answers: Answers = {
     if (open.view.set(settings)) {
       open.version += 1;
     }
+    return frameOf(id);
   },
 
   hide(id, objects) {
@@ -178,6 +192,7 @@ const answers: Answers = {
     open.view.hide(Uint32Array.from(objects));
     open.hidden = objects;
     open.version += 1;
+    return frameOf(id);
   },
 
   step(id, events) {
@@ -185,20 +200,10 @@ const answers: Answers = {
     for (const [name, ...values] of events) {
       (view[name] as (...values: unknown[]) => void).apply(view, values);
     }
-    return cameraState(view);
+    return frameOf(id);
   },
 
-  frame(id, isDraft, samples) {
-    const { view, version } = got(views, id, "view");
-    return {
-      view: view.pack(isDraft, samples) as Uint8Array<ArrayBuffer>,
-      version,
-      width: view.width,
-      height: view.height,
-      hasRays: view.has_rays,
-      camera: cameraState(view),
-    };
-  },
+  frame: frameOf,
 
   packedScene(id) {
     const { view, version, hidden } = got(views, id, "view");
@@ -254,11 +259,11 @@ const answers: Answers = {
     drawers.set(id, { drawer: new Drawer(scene, Uint32Array.from(hidden), map), version });
   },
 
-  draw(id, version, view, part, parts, into) {
+  draw(id, { view, version }, { isDraft, samples }, cells, into) {
     const open = views.get(id);
     const { drawer, version: own } =
       open === undefined ? got(drawers, id, "view") : { drawer: open.view, version: open.version };
-    if (own === version) drawer.draw_part(view, part, parts, into);
+    if (own === version) drawer.draw_cells(view, isDraft, samples, cells, into);
     // Not to be waited for: a question says what is wrong.
     if (open !== undefined) fetched ??= canAnswer().catch(() => {});
     return { isDrawn: own === version, pixels: into };
