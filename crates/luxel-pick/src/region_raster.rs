@@ -63,7 +63,7 @@ impl PickView<'_> {
             FrameInstance {
                 mesh: &visible.mesh,
                 clusters: &visible.clusters,
-                view_from_mesh: &instance.place.view_from_mesh,
+                view_from_local: &instance.space.view_from_local,
                 parts: Arc::clone(&instance.parts),
                 ranks: &visible.ranks,
             }

@@ -128,7 +128,7 @@ impl<'p> PickView<'p> {
             }
         };
         let projection = &self.camera().projection;
-        let probe = Probe::new(projection, self.size(), &instance.place.view_from_mesh, mesh);
+        let probe = Probe::new(projection, self.size(), &instance.space.view_from_local);
         let largest = |bounds: [[f32; 3]; 2]| -> [f32; 3] {
             std::array::from_fn(|axis| bounds[0][axis].abs().max(bounds[1][axis].abs()))
         };

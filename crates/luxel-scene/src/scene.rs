@@ -137,8 +137,8 @@ impl Scene {
         shared.into_iter().map(|world| world.as_deref().copied().unwrap_or_default()).collect()
     }
 
-    /// From each node's coordinates to the world's. Nodes that follow one another in the same place
-    /// share one; there is one for each.
+    /// From each node's coordinates to the world's, one for each. Nodes that follow one another in the same place
+    /// share one, and those whose parents change nothing have their own.
     fn shared_world_from_nodes(&self) -> Vec<Option<Arc<DMat4>>> {
         let mut world: Vec<Option<Arc<DMat4>>> = vec![None; self.nodes.len()];
         let mut chain = Vec::new();
@@ -156,8 +156,10 @@ impl Scene {
                 next = self.nodes[index].parent.map(NodeId::index);
             }
             for index in chain.drain(..).rev() {
-                base *= *self.nodes[index].parent_from_node;
+                let own = &self.nodes[index].parent_from_node;
+                base *= **own;
                 let shared = last.take().filter(|last| is_same(last, &base));
+                let shared = shared.or_else(|| is_same(own, &base).then(|| Arc::clone(own)));
                 world[index] = Some(Arc::clone(last.insert(shared.unwrap_or_else(|| base.into()))));
             }
         }

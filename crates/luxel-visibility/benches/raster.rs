@@ -10,7 +10,9 @@
 use glam::DVec3;
 use luxel_math::SimdLevel;
 use luxel_scene::{Camera, Lens, Mesh, Projection, Size, primitives};
-use luxel_visibility::{Clusters, CullFaces, Frame, Frames, Instance, PartUse, Samples, Tile};
+use luxel_visibility::{
+    Clusters, CullFaces, Frame, Frames, Instance, PartUse, Samples, Tile, ViewFromLocal,
+};
 use std::time::Instant;
 
 const FRAMES: usize = 15;
@@ -79,6 +81,7 @@ fn time(
 ) {
     let level = level.resolve().unwrap();
     let view_from_mesh = Camera::look_at(DVec3::new(0.7, 1.1, 2.6), DVec3::ZERO, DVec3::Y);
+    let view_from_local = ViewFromLocal::new(&view_from_mesh, mesh.origin);
     let lens = Lens::Perspective { fov_y_radians: 0.8 };
     let projection = Projection { lens, near: 0.5, far: 10.0 };
     let samples = Samples::new(samples).unwrap();
@@ -90,7 +93,7 @@ fn time(
         let instance = Instance {
             mesh,
             clusters,
-            view_from_mesh: &view_from_mesh,
+            view_from_local: &view_from_local,
             parts: [part].into(),
             ranks: &[],
         };

@@ -10,7 +10,7 @@ use crate::cluster::{Clusters, Frames, Instance, TooManyTriangles, TriangleOf};
 use crate::frame::Frame;
 use crate::query::{Forms, WindowRays};
 use crate::raster::Tile;
-use crate::types::{Coverage, CullFaces, PartUse, Samples, TILE, TriangleId};
+use crate::types::{Coverage, CullFaces, PartUse, Samples, TILE, TriangleId, ViewFromLocal};
 use glam::{DMat4, DVec4};
 use luxel_math::{Level, SUBPIXELS};
 use luxel_scene::{Lens, MaterialId, Mesh, Part, Projection, Size};
@@ -51,16 +51,17 @@ pub fn rasterize(
     // A window that shows clip coordinates as they are, but for its sides' ratio.
     let window = Projection { lens: Lens::Orthographic { height: 2.0 }, near: -1.0, far: 1.0 };
     let view_from_clip = window.clip_from_view(size).inverse();
-    let matrices: Vec<DMat4> =
-        placed.clip_from_mesh.iter().map(|matrix| view_from_clip * *matrix).collect();
-    let instance = |view_from_mesh| Instance {
+    let view_from_mesh =
+        |matrix: &DMat4| ViewFromLocal::new(&(view_from_clip * *matrix), placed.mesh.origin);
+    let places: Vec<_> = placed.clip_from_mesh.iter().map(view_from_mesh).collect();
+    let instance = |view_from_local| Instance {
         mesh: &placed.mesh,
         clusters: &clusters,
-        view_from_mesh,
+        view_from_local,
         parts: Arc::clone(&parts),
         ranks: &[],
     };
-    let instances = matrices.iter().map(instance).collect();
+    let instances = places.iter().map(instance).collect();
     let frame = Frame::new(instances, &window, size, Samples::ONE, level)?;
     let lookup = Lookup { vertices, faces, eye: Eye::new(size), one_by_one: placed.one_by_one };
     let rows = luxel_parallel::map(frame.tiles()[1], 1, &|row| {

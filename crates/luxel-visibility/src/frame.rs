@@ -2,9 +2,11 @@
 
 use crate::cluster::{Instance, Instances, TooManyTriangles, TriangleOf};
 use crate::cull::{Bins, VisibleCluster, visible_clusters};
-use crate::query::{Forms, Probe, SeenCluster, ViewFromLocal, WindowRays};
+use crate::query::{Forms, Probe, SeenCluster, WindowRays};
 use crate::raster::{self, LargeClusters, Plane, Tile};
-use crate::types::{Asked, Coverage, Holes, MAX_SIDE, PartUse, Samples, TILE, TriangleId};
+use crate::types::{
+    Asked, Coverage, Holes, MAX_SIDE, PartUse, Samples, TILE, TriangleId, ViewFromLocal,
+};
 use glam::DVec3;
 use luxel_math::{Level, SUBPIXELS, dispatch};
 use luxel_scene::{Projection, Size, rank_of};
@@ -15,8 +17,6 @@ pub struct Frame<'a> {
     samples: Samples,
     rays: WindowRays,
     instances: Instances<'a>,
-    /// By [`Instances::transform_of`].
-    places: Vec<ViewFromLocal>,
     opaque: Binned,
     blended: Binned,
 }
@@ -74,9 +74,6 @@ impl<'a> Frame<'a> {
             size.height,
         );
         let instances = Instances::new(instances, projection, size)?;
-        let transforms = instances.transforms.iter();
-        let places =
-            transforms.map(|each| ViewFromLocal::of_matrix(&each.view_from_local)).collect();
         let (blended, opaque): (Vec<_>, Vec<_>) =
             visible_clusters(&instances, projection, size, level).partition(|visible| {
                 instances.part_use(visible.cluster).coverage == Coverage::Blended
@@ -88,7 +85,6 @@ impl<'a> Frame<'a> {
             samples,
             rays: WindowRays::new(projection, size),
             instances,
-            places,
             opaque,
             blended,
         })
@@ -274,8 +270,8 @@ impl<'a> Frame<'a> {
 
     /// How an instance's coordinates become those of view space.
     #[must_use]
-    pub fn view_from_local(&self, instance: usize) -> ViewFromLocal {
-        self.places[self.instances.transform_of(instance)]
+    pub fn view_from_local(&self, instance: usize) -> &'a ViewFromLocal {
+        self.instances.list[instance].view_from_local
     }
 
     /// A triangle's corners in view space.

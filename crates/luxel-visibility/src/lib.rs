@@ -42,15 +42,15 @@ pub use cluster::{
 };
 pub use frame::Frame;
 pub use luxel_view::{Cull, DEFAULT_POINT_SIZE};
-pub use placed_scene::{CoveragePolicy, InstancePlace, PlacedInstance, PlacedScene, SurfaceRules};
+pub use placed_scene::{CoveragePolicy, PlacedInstance, PlacedScene, SurfaceRules};
 pub use query::{
     Barycentrics, Forms, InstanceSpace, LINE_WIDTH, LinearForms, PackedForms, Probe,
     ProbedTriangle, ProjectiveForms, Reach, SeenCluster, ShadingCorners, Strokes, TILE_FORMS,
-    TileForms, ViewFromLocal, ViewRays, WindowRays, interpolate, interpolate_corners,
+    TileForms, ViewRays, ViewSpace, WindowRays, interpolate, interpolate_corners,
     interpolate_corners_step, interpolate_step, sides, strokes, tile_of,
 };
 pub use raster::{DepthPlane, Plane, Sink, Tile, Triangle, clip_by_plane, cover, rank_step};
 pub use types::{
     Asked, BLOCK, BLOCKS, Coverage, CullFaces, GUARD_BAND, Holes, MAX_SAMPLES, MAX_SIDE, PartUse,
-    Region, Samples, TILE, TriangleId, WindowVertex, snap,
+    Region, Samples, TILE, TriangleId, ViewFromLocal, WindowVertex, snap,
 };

@@ -2,8 +2,8 @@
 
 use crate::cluster::{Clusters, Instance, TooManyTriangles};
 use crate::frame::Frame;
-use crate::query::{InstanceSpace, Strokes, ViewFromLocal, strokes};
-use crate::types::{Coverage, CullFaces, PartUse, Samples};
+use crate::query::{InstanceSpace, Strokes, ViewSpace, strokes};
+use crate::types::{Coverage, CullFaces, PartUse, Samples, ViewFromLocal};
 use glam::DMat4;
 use luxel_math::Level;
 use luxel_scene::{
@@ -78,26 +78,17 @@ pub struct PlacedInstance {
     pub strokes: Option<usize>,
     /// How each part of the mesh is drawn.
     pub parts: Arc<[PartUse]>,
-    /// Where it is. Instances that follow one another share one, if they are in the same place: of files
-    /// with many small objects without transforms, all do.
-    pub place: Arc<InstancePlace>,
-}
-
-/// A place before the camera.
-#[derive(Clone, Debug, PartialEq)]
-pub struct InstancePlace {
-    /// From the mesh's own space to the camera's.
-    pub view_from_mesh: DMat4,
-    /// The spaces of positions and normals.
-    pub space: InstanceSpace,
+    /// The spaces of positions and normals. Instances that follow one another share one, if they are in the same
+    /// place: of files with many small objects without transforms, all do.
+    pub space: Arc<InstanceSpace>,
 }
 
 impl PlacedInstance {
     /// An instance that shares what is the same as in the one before it.
     fn shared(mut self, before: Option<&Self>) -> Self {
         if let Some(before) = before {
-            if *before.place == *self.place {
-                self.place = Arc::clone(&before.place);
+            if before.space == self.space {
+                self.space = Arc::clone(&before.space);
             }
             if before.parts == self.parts {
                 self.parts = Arc::clone(&before.parts);
@@ -105,6 +96,10 @@ impl PlacedInstance {
         }
         self
     }
+}
+
+fn view_from_mesh(camera: &Camera, object: &Object) -> DMat4 {
+    camera.view_from_world * *object.world_from_mesh
 }
 
 /// A scene before a camera: an instance for each object, or for all that share a mesh as its sections,
@@ -131,19 +126,19 @@ impl<'s> PlacedScene<'s> {
         rules: &SurfaceRules,
     ) -> Self {
         let strokes = strokes(scene, objects, camera, size, rules.point_size);
+        let view = Arc::new(ViewSpace::new(camera));
         let faces = bodies(objects).map(|body| {
             let object = &objects[body.start];
             let mesh = &scene.meshes[object.mesh.index()];
             let mirrored = object.world_from_mesh.determinant() < 0.0;
             let part_use = |material: usize| rules.part_use(&scene.materials[material], mirrored);
-            let view_from_mesh = camera.view_from_world * *object.world_from_mesh;
-            let view_from_local = ViewFromLocal::new(&view_from_mesh, mesh.origin);
-            let space = InstanceSpace::new(&object.world_from_mesh, view_from_local, camera);
+            let view_from_local = ViewFromLocal::new(&view_from_mesh(camera, object), mesh.origin);
+            let space = InstanceSpace::new(&object.world_from_mesh, view_from_local, &view);
             PlacedInstance {
                 objects: body,
                 strokes: None,
                 parts: mesh.parts.iter().map(|part| part_use(part.material.index())).collect(),
-                place: Arc::new(InstancePlace { view_from_mesh, space }),
+                space: Arc::new(space),
             }
         });
         let in_view = strokes.iter().enumerate().map(|(number, strokes)| {
@@ -151,12 +146,12 @@ impl<'s> PlacedScene<'s> {
             let part = PartUse { coverage: rules.coverage.opaque, ..PartUse::default() };
             let view_from_local = ViewFromLocal::new(&DMat4::IDENTITY, mesh.origin);
             let world_from_mesh = &objects[strokes.object].world_from_mesh;
-            let space = InstanceSpace::new(world_from_mesh, view_from_local, camera);
+            let space = InstanceSpace::new(world_from_mesh, view_from_local, &view);
             PlacedInstance {
                 objects: strokes.object..strokes.object + 1,
                 strokes: Some(number),
                 parts: mesh.parts.iter().map(|_| part).collect(),
-                place: Arc::new(InstancePlace { view_from_mesh: DMat4::IDENTITY, space }),
+                space: Arc::new(space),
             }
         });
         let mut instances: Vec<PlacedInstance> = Vec::new();
@@ -201,6 +196,15 @@ impl<'s> PlacedScene<'s> {
     #[must_use]
     pub fn strokes(&self) -> &[Strokes] {
         &self.strokes
+    }
+
+    /// From an instance's own space to the camera's.
+    #[must_use]
+    pub fn view_from_mesh(&self, instance: &PlacedInstance) -> DMat4 {
+        match instance.strokes {
+            Some(_) => DMat4::IDENTITY,
+            None => view_from_mesh(&self.camera, &self.objects[instance.objects.start]),
+        }
     }
 
     /// The mesh of an instance.
@@ -259,7 +263,7 @@ impl<'s> PlacedScene<'s> {
                 Some(number) => &self.strokes[number].clusters,
                 None => &clusters[self.objects[instance.objects.start].mesh.index()],
             },
-            view_from_mesh: &instance.place.view_from_mesh,
+            view_from_local: &instance.space.view_from_local,
             parts: Arc::clone(&instance.parts),
             ranks: self.ranks(instance),
         });

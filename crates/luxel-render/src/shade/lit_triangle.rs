@@ -112,7 +112,7 @@ impl LitTriangle {
         places: Option<[DVec3; 3]>,
     ) -> [Corner; 3] {
         let mut seen = Self::new(scene, TriangleId::NONE, of);
-        let world_from_view = scene.space(of.instance).world_from_view;
+        let world_from_view = scene.space(of.instance).view.world_from_view;
         for (corner, place) in seen.corners.iter_mut().zip(places.into_iter().flatten()) {
             corner.position = (world_from_view * place).as_vec3().to_array();
         }
@@ -165,7 +165,10 @@ impl LitTriangle {
                     window: &|place| {
                         let about_eye = mixed(corners.map(|corner| corner.position), place);
                         let about_eye = DVec3::from_array(about_eye.map(f64::from));
-                        scene.frame.rays().window(space.world_from_view.transpose() * about_eye)
+                        scene
+                            .frame
+                            .rays()
+                            .window(space.view.world_from_view.transpose() * about_eye)
                     },
                 });
                 if let Ok(mut counts) = scene.subdivided.lock() {
@@ -183,7 +186,7 @@ impl LitTriangle {
                     corner.light = lit(corner);
                 }
             }
-            let parallel = scene.space(self.of.instance).parallel;
+            let parallel = scene.space(self.of.instance).view.parallel;
             let rays = scene.frame.rays();
             self.outline = Some(Box::new(Outline::new(rays, scene.near, parallel, scan, &around)));
         }
@@ -232,18 +235,18 @@ impl LitTriangle {
     /// The polygon as one place: its centroid, with its own normal.
     fn whole(&self, scene: &ShadingContext<'_>) -> Corner {
         let Self { of, .. } = *self;
-        let instance = &scene.frame.instances()[of.instance];
-        let space = scene.space(of.instance);
-        let mesh = instance.mesh;
+        let instance = &scene.placed.instances()[of.instance];
+        let mesh = scene.placed.mesh(instance);
         let (face, around) = match scene.polygons[of.instance] {
             Some(polygons) => (polygons.face(mesh, of.triangle), self.around(scene, true)),
             None => (Polygons::TRIANGLES.face(mesh, of.triangle), Vec::new()),
         };
         let around: Vec<Corner> = around.into_iter().map(|(_, corner)| corner).collect();
-        let in_view = instance.view_from_mesh.transform_point3(face.centroid);
-        let place = space.world_from_view * in_view;
-        let normal = (space.normal_from_mesh * face.area).normalize_or_zero();
-        let to_eye = if space.parallel { space.world_from_view.z_axis } else { -place };
+        let in_view = scene.placed.view_from_mesh(instance).transform_point3(face.centroid);
+        let space = &instance.space;
+        let place = space.view.world_from_view * in_view;
+        let normal = (space.normal_from_mesh() * face.area).normalize_or_zero();
+        let to_eye = if space.view.parallel { space.view.world_from_view.z_axis } else { -place };
         let normal = if normal.dot(to_eye) < 0.0 { -normal } else { normal };
         Corner {
             position: place.as_vec3().to_array(),

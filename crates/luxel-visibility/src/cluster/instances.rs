@@ -4,8 +4,7 @@
 
 use super::block::Numbers;
 use super::clusters::Clusters;
-use crate::types::{Coverage, PartUse, SLOT_BITS, TriangleId, WindowTransform};
-use glam::DMat4;
+use crate::types::{Coverage, PartUse, SLOT_BITS, TriangleId, ViewFromLocal, WindowTransform};
 use luxel_scene::{Mesh, Projection, Size, rank_of};
 use std::sync::Arc;
 
@@ -16,8 +15,8 @@ pub struct Instance<'a> {
     pub mesh: &'a Mesh,
     /// The mesh, cut into clusters.
     pub clusters: &'a Clusters,
-    /// From the mesh's own space to the camera's.
-    pub view_from_mesh: &'a DMat4,
+    /// From the mesh's coordinates about its origin to the camera's.
+    pub view_from_local: &'a ViewFromLocal,
     /// How each part of the mesh is drawn.
     pub parts: Arc<[PartUse]>,
     /// The triangles that lie in the plane of an earlier instance's, and their
@@ -51,12 +50,6 @@ impl ClusterRanks<'_> {
     }
 }
 
-/// What takes coordinates about a mesh's origin to view space and to the window.
-pub(crate) struct LocalTransforms {
-    pub(crate) view_from_local: DMat4,
-    pub(crate) window_from_local: WindowTransform,
-}
-
 /// More clusters than ids can number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the scene has {clusters} clusters of triangles; ids can tell {limit} apart")]
@@ -70,8 +63,8 @@ pub struct TooManyTriangles {
 /// The instances of a view.
 pub(crate) struct Instances<'a> {
     pub(crate) list: Vec<Instance<'a>>,
-    /// One for all instances that follow one another in the same place.
-    pub(crate) transforms: Vec<LocalTransforms>,
+    /// To the window: one for all instances that follow one another in the same place.
+    transforms: Vec<WindowTransform>,
     transform_of: Vec<u32>,
     /// The number of each instance's first cluster, and after them the number of all.
     pub(crate) first_clusters: Vec<u32>,
@@ -95,19 +88,13 @@ impl<'a> Instances<'a> {
         if clusters > limit {
             return Err(TooManyTriangles { clusters, limit });
         }
-        let mut transforms: Vec<LocalTransforms> = Vec::new();
+        let mut transforms = Vec::new();
         let mut transform_of = Vec::with_capacity(list.len());
         let mut before: Option<&Instance<'_>> = None;
         for instance in &list {
-            let is_there = |other: &Instance<'_>| {
-                other.view_from_mesh == instance.view_from_mesh
-                    && other.mesh.origin == instance.mesh.origin
-            };
-            if !before.is_some_and(is_there) {
-                let view_from_local =
-                    *instance.view_from_mesh * DMat4::from_translation(instance.mesh.origin);
-                let window_from_local = WindowTransform::new(projection, size, &view_from_local);
-                transforms.push(LocalTransforms { view_from_local, window_from_local });
+            let view_from_local = instance.view_from_local;
+            if before.is_none_or(|before| before.view_from_local != view_from_local) {
+                transforms.push(WindowTransform::new(projection, size, view_from_local.matrix()));
             }
             transform_of.push(transforms.len() as u32 - 1);
             before = Some(instance);
@@ -124,7 +111,7 @@ impl<'a> Instances<'a> {
     /// From an instance's coordinates to the window.
     #[inline]
     pub(crate) fn window_from_local(&self, instance: usize) -> &WindowTransform {
-        &self.transforms[self.transform_of(instance)].window_from_local
+        &self.transforms[self.transform_of(instance)]
     }
 
     /// Whether an instance repeats the one before it where nothing shows through: it is hidden wherever it
@@ -137,7 +124,7 @@ impl<'a> Instances<'a> {
         };
         let own = &self.list[instance];
         std::ptr::eq(own.mesh, before.mesh)
-            && own.view_from_mesh == before.view_from_mesh
+            && own.view_from_local == before.view_from_local
             && own.parts == before.parts
             && own.parts.iter().all(|part| part.coverage == Coverage::Opaque)
     }

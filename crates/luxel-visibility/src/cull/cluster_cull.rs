@@ -9,6 +9,7 @@ use crate::cluster::{BOUNDS_WORDS, CONE_WORDS, Clusters, Instance, Instances};
 use crate::types::{GUARD_BAND, MAX_SIDE, PartUse, WindowTransform};
 use luxel_math::{LANES, Level, SUBPIXELS, Simd, dispatch, f32x16, i32x16, mask32x16, prelude::*};
 use luxel_scene::{Projection, Size};
+use std::ops::Range;
 
 /// A cluster that may be seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,6 +135,40 @@ impl<S: Simd> Interval<S> {
 
 const SUBPIXEL_BITS: u32 = SUBPIXELS.ilog2();
 
+/// Groups of sixteen clusters of one instance.
+struct Piece {
+    instance: usize,
+    groups: Range<usize>,
+}
+
+/// The groups of all instances, in pieces of at most this many.
+const MOST_GROUPS: usize = 64;
+
+fn pieces(instances: &Instances<'_>) -> Vec<Piece> {
+    let shown = (0..instances.list.len()).filter(|&instance| !instances.is_repeated(instance));
+    let pieces_of = |instance: usize| {
+        let groups = instances.list[instance].clusters.count().div_ceil(LANES);
+        (0..groups)
+            .step_by(MOST_GROUPS)
+            .map(move |start| Piece { instance, groups: start..groups.min(start + MOST_GROUPS) })
+    };
+    shown.flat_map(pieces_of).collect()
+}
+
+/// Runs of pieces that have about as many groups: of small instances, a run has many.
+fn runs(pieces: &[Piece]) -> Vec<Range<usize>> {
+    let mut runs = Vec::new();
+    let (mut start, mut groups) = (0, 0);
+    for (number, piece) in pieces.iter().enumerate() {
+        groups += piece.groups.len();
+        if groups >= MOST_GROUPS || number + 1 == pieces.len() {
+            runs.push(start..number + 1);
+            (start, groups) = (number + 1, 0);
+        }
+    }
+    runs
+}
+
 /// The clusters of all instances that may be seen.
 pub(crate) fn visible_clusters(
     instances: &Instances<'_>,
@@ -141,52 +176,46 @@ pub(crate) fn visible_clusters(
     size: Size,
     level: Level,
 ) -> impl Iterator<Item = VisibleCluster> {
-    let cullers: Vec<_> = instances
-        .transforms
-        .iter()
-        .map(|transforms| ConeCuller::new(projection, size, &transforms.view_from_local))
-        .collect();
-    // Groups of sixteen clusters, in runs that are cut by number.
-    const RUN: usize = 64;
-    let runs: Vec<(usize, std::ops::Range<usize>)> = instances
-        .list
-        .iter()
-        .enumerate()
-        .filter(|&(number, _)| !instances.is_repeated(number))
-        .flat_map(|(number, instance)| {
-            let groups = instance.clusters.count().div_ceil(LANES);
-            (0..groups).step_by(RUN).map(move |start| (number, start..groups.min(start + RUN)))
-        })
-        .collect();
+    let pieces = pieces(instances);
+    let runs = runs(&pieces);
     let visible: Vec<Vec<VisibleCluster>> = luxel_parallel::map(runs.len(), 1, &|run| {
-        let (number, groups) = runs[run.start].clone();
-        let transform = instances.window_from_local(number);
-        let Instance { clusters, parts, .. } = &instances.list[number];
-        let first = instances.first_clusters[number];
-        let faces = cullers[instances.transform_of(number)]
-            .as_ref()
-            .map(|culler| BackFaces { culler, parts });
-        dispatch!(level, simd => cull_run(simd, transform, size, clusters, groups.clone(), first, faces))
+        let mut visible = Vec::new();
+        let mut culler = None;
+        let mut culler_of = usize::MAX;
+        for Piece { instance, groups } in &pieces[runs[run.start].clone()] {
+            let transform = instances.transform_of(*instance);
+            if transform != culler_of {
+                let matrix = instances.list[*instance].view_from_local.matrix();
+                culler = ConeCuller::new(projection, size, matrix);
+                culler_of = transform;
+            }
+            let transform = instances.window_from_local(*instance);
+            let Instance { clusters, parts, .. } = &instances.list[*instance];
+            let first = instances.first_clusters[*instance];
+            let faces = culler.as_ref().map(|culler| BackFaces { culler, parts });
+            dispatch!(level, simd => cull_groups(simd, transform, size, clusters, groups.clone(), first, faces, &mut visible));
+        }
+        visible
     });
     visible.into_iter().flatten()
 }
 
-/// Culls the groups of a run.
+/// Appends the clusters of these groups that may be seen.
 #[inline(always)]
-fn cull_run<S: Simd>(
+#[expect(clippy::too_many_arguments, reason = "the state of a loop, which has one caller")]
+fn cull_groups<S: Simd>(
     simd: S,
     transform: &WindowTransform,
     size: Size,
     clusters: &Clusters,
-    groups: std::ops::Range<usize>,
+    groups: Range<usize>,
     first_cluster: u32,
     back_faces: Option<BackFaces<'_>>,
-) -> Vec<VisibleCluster> {
-    let mut visible = Vec::new();
+    out: &mut Vec<VisibleCluster>,
+) {
     for group in groups {
-        cull_group(simd, transform, size, clusters, group, first_cluster, back_faces, &mut visible);
+        cull_group(simd, transform, size, clusters, group, first_cluster, back_faces, out);
     }
-    visible
 }
 
 /// Appends the clusters of one group of sixteen that may be seen.

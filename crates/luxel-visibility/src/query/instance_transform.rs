@@ -4,87 +4,60 @@
 //! Written once for one triangle and for sixteen. Corners in view space are f64; what light is
 //! computed from is f32.
 
+use crate::types::ViewFromLocal;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_math::{F64Lanes, Lanes, Vec3};
 use luxel_scene::{Camera, Mesh};
+use std::sync::Arc;
 
-/// From a mesh's coordinates about its origin to view space.
+/// How a camera is turned: the same for all instances.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ViewFromLocal {
-    /// Columns of the matrix.
-    columns: [[f64; 3]; 4],
-}
-
-impl ViewFromLocal {
-    /// For a mesh about `origin` (its [`Mesh::origin`]).
-    #[must_use]
-    pub fn new(view_from_mesh: &DMat4, origin: DVec3) -> Self {
-        Self::of_matrix(&(*view_from_mesh * DMat4::from_translation(origin)))
-    }
-
-    /// By a matrix whose last row is (0, 0, 0, 1).
-    pub(crate) fn of_matrix(view_from_local: &DMat4) -> Self {
-        Self { columns: view_from_local.to_cols_array_2d().map(|[x, y, z, _]| [x, y, z]) }
-    }
-
-    /// A triangle's corners in view space.
-    #[inline(always)]
-    #[must_use]
-    pub fn corners<D: F64Lanes>(&self, [a, b, c]: [[D::F32; 3]; 3]) -> [[D; 3]; 3] {
-        [self.place(a), self.place(b), self.place(c)]
-    }
-
-    /// A place in view space.
-    #[inline(always)]
-    #[must_use]
-    pub fn place<D: F64Lanes>(&self, [x, y, z]: [D::F32; 3]) -> [D; 3] {
-        let (x, y, z) = (x.to_f64(), y.to_f64(), z.to_f64());
-        let [along_x, along_y, along_z, origin] = &self.columns;
-        let mut place = [x; 3];
-        for axis in 0..3 {
-            place[axis] = x * x.constant(along_x[axis])
-                + y * x.constant(along_y[axis])
-                + z * x.constant(along_z[axis])
-                + x.constant(origin[axis]);
-        }
-        place
-    }
-}
-
-/// An instance's transforms.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InstanceSpace {
-    /// For places.
-    pub view_from_local: ViewFromLocal,
-    /// Rows of `world_from_view`.
-    rotation: [[f32; 3]; 3],
-    /// Rows of `normal_from_mesh`, scaled to a largest entry of 1.
-    normals: [[f32; 3]; 3],
+pub struct ViewSpace {
     /// From view space to world axes about the eye: a rotation.
     pub world_from_view: DMat3,
-    /// For normals: the inverse transpose of the mesh's transform, up to a positive factor.
-    pub normal_from_mesh: DMat3,
-    /// For tangents.
-    pub world_from_mesh: DMat3,
-    /// -1 where the transform mirrors, else 1.
-    pub handedness: f64,
+    /// Its rows.
+    rotation: [[f32; 3]; 3],
     /// Whether the camera's rays are parallel.
     pub parallel: bool,
 }
 
-impl InstanceSpace {
-    /// The transforms of a mesh in its place before a camera.
+impl ViewSpace {
+    /// Of a camera.
     #[must_use]
-    pub fn new(world_from_mesh: &DMat4, view_from_local: ViewFromLocal, camera: &Camera) -> Self {
-        let world_from_mesh = DMat3::from_mat4(*world_from_mesh);
-        let determinant = world_from_mesh.determinant();
-        // The cofactor matrix is the inverse transpose times the determinant, and exists even where
-        // a flattening transform has no inverse.
-        let [x, y, z] = [world_from_mesh.x_axis, world_from_mesh.y_axis, world_from_mesh.z_axis];
-        let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
-        let handedness = if determinant < 0.0 { -1.0 } else { 1.0 };
+    pub fn new(camera: &Camera) -> Self {
         let world_from_view = DMat3::from_mat4(camera.view_from_world).transpose();
-        let normal_from_mesh = cofactors * handedness;
+        Self {
+            world_from_view,
+            rotation: rows(world_from_view),
+            parallel: camera.projection.is_orthographic(),
+        }
+    }
+}
+
+/// An instance's transforms.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InstanceSpace {
+    /// For places.
+    pub view_from_local: ViewFromLocal,
+    /// The camera's.
+    pub view: Arc<ViewSpace>,
+    /// From the mesh's coordinates to the world's.
+    world_from_mesh: Arc<DMat4>,
+    /// Rows of [`normal_from_mesh`](Self::normal_from_mesh), scaled to a largest entry of 1.
+    normals: [[f32; 3]; 3],
+    /// -1 where the transform mirrors, else 1.
+    handedness: f64,
+}
+
+impl InstanceSpace {
+    /// The transforms of a mesh in its place before a camera, of which `view` is.
+    #[must_use]
+    pub fn new(
+        world_from_mesh: &Arc<DMat4>,
+        view_from_local: ViewFromLocal,
+        view: &Arc<ViewSpace>,
+    ) -> Self {
+        let (normal_from_mesh, handedness) = normal_from_mesh(world_from_mesh);
         let largest =
             normal_from_mesh.to_cols_array().into_iter().fold(0.0, |largest: f64, value| {
                 if value.abs() > largest { value.abs() } else { largest }
@@ -92,28 +65,31 @@ impl InstanceSpace {
         let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
         Self {
             view_from_local,
-            rotation: rows(world_from_view),
+            view: Arc::clone(view),
+            world_from_mesh: Arc::clone(world_from_mesh),
             normals: rows(normal_from_mesh * scale),
-            world_from_view,
-            normal_from_mesh,
-            world_from_mesh,
             handedness,
-            parallel: camera.projection.is_orthographic(),
         }
+    }
+
+    /// For normals: the inverse transpose of the mesh's transform, up to a positive factor.
+    #[must_use]
+    pub fn normal_from_mesh(&self) -> DMat3 {
+        normal_from_mesh(&self.world_from_mesh).0
     }
 
     /// A vector in view space, along the world's axes.
     #[inline(always)]
     #[must_use]
     pub fn along_world<N: Lanes>(&self, in_view: Vec3<N>) -> Vec3<N> {
-        transformed(&self.rotation, in_view)
+        transformed(&self.view.rotation, in_view)
     }
 
     /// A place in view space, about the eye along the world's axes.
     #[inline(always)]
     #[must_use]
     pub fn about_eye<D: F64Lanes>(&self, [x, y, z]: [D; 3]) -> Vec3<D::F32> {
-        transformed(&self.rotation, Vec3::new(x.to_f32(), y.to_f32(), z.to_f32()))
+        transformed(&self.view.rotation, Vec3::new(x.to_f32(), y.to_f32(), z.to_f32()))
     }
 
     /// The normals of a triangle's corners as the mesh has them; `None` where it has none.
@@ -155,7 +131,7 @@ impl InstanceSpace {
         towards_eye: D,
         in_mesh: Option<[Vec3<D::F32>; 3]>,
     ) -> [Vec3<D::F32>; 3] {
-        let by_winding = transformed(&self.rotation, face_normal(sides));
+        let by_winding = transformed(&self.view.rotation, face_normal(sides));
         let by_winding = by_winding * by_winding.x.constant(self.handedness as f32);
         let [a, b, c] = match in_mesh {
             Some([a, b, c]) => [self.unit_normal(a), self.unit_normal(b), self.unit_normal(c)],
@@ -175,10 +151,22 @@ impl InstanceSpace {
     #[must_use]
     pub fn tangent(&self, mesh: &Mesh, attribute: usize) -> [f32; 4] {
         let Some(&[x, y, z, sign]) = mesh.tangents.get(attribute) else { return [0.0; 4] };
-        let tangent = self.world_from_mesh * DVec3::new(x.into(), y.into(), z.into());
+        let tangent =
+            DMat3::from_mat4(*self.world_from_mesh) * DVec3::new(x.into(), y.into(), z.into());
         let [x, y, z] = tangent.normalize_or_zero().as_vec3().to_array();
         [x, y, z, if self.handedness < 0.0 { -sign } else { sign }]
     }
+}
+
+/// The inverse transpose of a transform, up to a positive factor, and -1 if the transform mirrors, else 1.
+fn normal_from_mesh(world_from_mesh: &DMat4) -> (DMat3, f64) {
+    let linear = DMat3::from_mat4(*world_from_mesh);
+    // The cofactor matrix is the inverse transpose times the determinant, and exists even where
+    // a flattening transform has no inverse.
+    let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
+    let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+    let handedness = if linear.determinant() < 0.0 { -1.0 } else { 1.0 };
+    (cofactors * handedness, handedness)
 }
 
 /// The rows of a matrix, in f32.

@@ -9,7 +9,7 @@ mod tile_forms;
 mod view_rays;
 
 pub use barycentric::{Forms, LinearForms, PackedForms, ProjectiveForms, WindowRays};
-pub use instance_transform::{InstanceSpace, ViewFromLocal, sides};
+pub use instance_transform::{InstanceSpace, ViewSpace, sides};
 pub use lines_points::{LINE_WIDTH, Strokes, strokes};
 pub use point_coverage::{Probe, ProbedTriangle, Reach};
 pub use seen_cluster::{SeenCluster, ShadingCorners};

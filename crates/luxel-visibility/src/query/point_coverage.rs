@@ -2,10 +2,9 @@
 //! edge functions and depth as a frame's, so the same answer.
 
 use crate::raster::{Triangle, clip};
-use crate::types::{CullFaces, GUARD_BAND, Region, WindowTransform, snap};
-use glam::DMat4;
+use crate::types::{CullFaces, GUARD_BAND, Region, ViewFromLocal, WindowTransform, snap};
 use luxel_math::{Lanes, SUBPIXELS};
-use luxel_scene::{Mesh, Projection, Size};
+use luxel_scene::{Projection, Size};
 
 /// A mesh in its place before a camera, to be asked which of its triangles cover a sample.
 #[derive(Clone, Copy, Debug)]
@@ -17,12 +16,10 @@ pub struct Probe {
 const ROUNDING: f64 = 1.0 / 16_777_216.0;
 
 impl Probe {
-    /// For a mesh about `origin` (its [`Mesh::origin`]) in a window, as an
-    /// [`Instance`](crate::Instance) is in a [`Frame`](crate::Frame).
+    /// For a mesh in a window, as an [`Instance`](crate::Instance) is in a [`Frame`](crate::Frame).
     #[must_use]
-    pub fn new(projection: &Projection, size: Size, view_from_mesh: &DMat4, mesh: &Mesh) -> Self {
-        let view_from_local = *view_from_mesh * DMat4::from_translation(mesh.origin);
-        Self { transform: WindowTransform::new(projection, size, &view_from_local) }
+    pub fn new(projection: &Projection, size: Size, view_from_local: &ViewFromLocal) -> Self {
+        Self { transform: WindowTransform::new(projection, size, view_from_local.matrix()) }
     }
 
     /// For an instance of a frame.

@@ -6,6 +6,7 @@ use luxel_math::{Level, SimdLevel};
 use luxel_scene::{Lens, MaterialId, Mesh, Part, Projection, Size};
 use luxel_visibility::{
     Clusters, Frame, Frames, Holes, Instance, PartUse, Samples, TILE, Tile, TriangleId,
+    ViewFromLocal,
 };
 use std::collections::HashMap;
 
@@ -56,7 +57,7 @@ pub(crate) struct Scene {
 pub(crate) struct Built {
     size: Size,
     samples: Samples,
-    instances: Vec<(Mesh, Clusters, DMat4, Vec<PartUse>)>,
+    instances: Vec<(Mesh, Clusters, ViewFromLocal, Vec<PartUse>)>,
 }
 
 impl Scene {
@@ -77,7 +78,7 @@ impl Scene {
         Built { size: self.size, samples: Samples::new(self.samples).unwrap(), instances }
     }
 
-    fn build_instance(&self, placed: &Placed) -> (Mesh, Clusters, DMat4, Vec<PartUse>) {
+    fn build_instance(&self, placed: &Placed) -> (Mesh, Clusters, ViewFromLocal, Vec<PartUse>) {
         let mut mesh = Mesh::default();
         let mut vertices = HashMap::new();
         let mut uses = Vec::new();
@@ -108,7 +109,8 @@ impl Scene {
         let turned = DVec3::new(1.0, -f64::from(up), 1.0);
         let view_from_mesh = DMat4::from_translation(centre) * DMat4::from_scale(turned);
         let clusters = Clusters::new(&mesh, Frames::Many);
-        (mesh, clusters, view_from_mesh, uses)
+        let place = ViewFromLocal::new(&view_from_mesh, mesh.origin);
+        (mesh, clusters, place, uses)
     }
 
     /// Every sample of the window: its number in a [`Picture`] and its position.
@@ -130,10 +132,10 @@ impl Built {
         let instances = self
             .instances
             .iter()
-            .map(|(mesh, clusters, view_from_mesh, parts)| Instance {
+            .map(|(mesh, clusters, view_from_local, parts)| Instance {
                 mesh,
                 clusters,
-                view_from_mesh,
+                view_from_local,
                 parts: parts.as_slice().into(),
                 ranks: &[],
             })

@@ -4,7 +4,7 @@ use crate::scene::{Picture, best};
 use glam::{DMat4, DVec3};
 use luxel_math::Level;
 use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection, Size};
-use luxel_visibility::{Clusters, Frame, Frames, Instance, PartUse, Samples};
+use luxel_visibility::{Clusters, Frame, Frames, Instance, PartUse, Samples, ViewFromLocal};
 use proptest::prelude::*;
 
 /// A mesh and a camera.
@@ -43,7 +43,7 @@ impl View {
 
     pub(crate) fn with_frame<R>(&self, level: Level, ask: impl FnOnce(&Frame<'_>) -> R) -> R {
         let clusters = Clusters::new(&self.mesh, Frames::Many);
-        ask(&self.frame(vec![self.instance(&self.mesh, &clusters)], level))
+        ask(&self.frame(vec![self.instance(&self.mesh, &clusters, &self.place())], level))
     }
 
     /// Draws each triangle as an instance of its own; numbers are those of the whole mesh.
@@ -64,8 +64,9 @@ impl View {
                 (mesh, clusters)
             })
             .collect();
+        let place = self.place();
         let instances =
-            pieces.iter().map(|(mesh, clusters)| self.instance(mesh, clusters)).collect();
+            pieces.iter().map(|(mesh, clusters)| self.instance(mesh, clusters, &place)).collect();
         let mut picture = Picture::opaque(&self.frame(instances, best()), best());
         for (_, submitted) in picture.seen.iter_mut().flatten() {
             *submitted = (0, submitted.0 as u32);
@@ -73,9 +74,18 @@ impl View {
         picture
     }
 
-    fn instance<'a>(&'a self, mesh: &'a Mesh, clusters: &'a Clusters) -> Instance<'a> {
+    fn place(&self) -> ViewFromLocal {
+        ViewFromLocal::new(&self.view_from_mesh, self.mesh.origin)
+    }
+
+    fn instance<'a>(
+        &self,
+        mesh: &'a Mesh,
+        clusters: &'a Clusters,
+        view_from_local: &'a ViewFromLocal,
+    ) -> Instance<'a> {
         let parts = vec![self.part; mesh.parts.len()].into();
-        Instance { mesh, clusters, view_from_mesh: &self.view_from_mesh, parts, ranks: &[] }
+        Instance { mesh, clusters, view_from_local, parts, ranks: &[] }
     }
 
     fn frame<'a>(&self, instances: Vec<Instance<'a>>, level: Level) -> Frame<'a> {

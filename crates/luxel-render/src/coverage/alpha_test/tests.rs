@@ -4,7 +4,7 @@ use luxel_scene::{
     DMat4, Encoding, Filter, Image, Lens, MaterialId, Mesh, Part, Projection, Sampler,
     SceneMaterial, Size, Texture, TextureId, TextureUse,
 };
-use luxel_visibility::{Clusters, Coverage, Frames, Instance, PartUse, Samples};
+use luxel_visibility::{Clusters, Coverage, Frames, Instance, PartUse, Samples, ViewFromLocal};
 use std::sync::Arc;
 
 /// Numbers from 0 to 1, always the same ones.
@@ -80,10 +80,11 @@ fn at_every_level(wires: Option<Edges>, check: impl Fn(&Scene, &Frame<'_>, &Alph
     let mesh = &scene.meshes[0];
     let clusters = Clusters::new(mesh, Frames::Many);
     let part = PartUse { coverage: Coverage::Cutout, ..PartUse::default() };
+    let place = ViewFromLocal::new(&DMat4::IDENTITY, mesh.origin);
     let instance = Instance {
         mesh,
         clusters: &clusters,
-        view_from_mesh: &DMat4::IDENTITY,
+        view_from_local: &place,
         parts: [part; 3].into(),
         ranks: &[],
     };
