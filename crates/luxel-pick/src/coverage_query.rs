@@ -109,7 +109,7 @@ impl PickView<'_> {
         visit: &mut dyn FnMut(CoveringTriangle) -> f32,
         least: f32,
     ) {
-        let instance = &self.trees[place];
+        let instance = self.tree(place);
         let geometry = self.geometry(place);
         let Some(ray) = self.thick_ray(instance, position) else { return };
         let mut found = |block: Block<'_>, lane: usize| {
@@ -132,7 +132,7 @@ impl PickView<'_> {
         block: Block<'_>,
         lane: usize,
     ) -> (CoveringTriangle, ProbedTriangle) {
-        let instance = &self.trees[place];
+        let instance = self.tree(place);
         let triangle = block.triangle(lane);
         let corners = if instance.bounds_tell_depth {
             // The leaf's copies, already in the cache.
@@ -156,7 +156,7 @@ impl PickView<'_> {
             return 0.0;
         }
         // Both of its sides are looked at: that it is seen is known.
-        let probe = &self.trees[instance].probe;
+        let probe = &self.tree(instance).probe;
         let in_plane = probe.covers(corners, CullFaces::None, position);
         in_plane.map_or(0.0, |in_plane| f64::from(in_plane) - f64::from(depth))
     }
@@ -408,7 +408,7 @@ mod tests {
             Camera { view_from_world, projection: Projection { lens, near: 0.01, far: 9.0 } };
         let size = Size { width: 64, height: 48 };
         let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
-        let instance = &view.trees[0];
+        let instance = view.tree(0);
         let geometry = view.geometry(0);
         let positions = &geometry.mesh.positions[..];
         let mut counts = [0; 3];
@@ -459,7 +459,8 @@ mod tests {
             let projection = Projection { lens, near: 0.01, far: 20.0 };
             let camera = Camera { view_from_world, projection };
             let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
-            for (number, instance) in view.trees.iter().enumerate() {
+            for number in 0..view.placed.instances().len() {
+                let instance = view.tree(number);
                 for node in view.geometry(number).bvh.view().nodes() {
                     let depths =
                         dispatch_long!(picker.level(), simd => instance.nearest(simd, node));

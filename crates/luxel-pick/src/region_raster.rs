@@ -55,9 +55,10 @@ impl PickView<'_> {
             return Ok(());
         }
         let around = [columns.start, rows.start, columns.end, rows.end].map(f64::from);
-        let visible: Vec<VisibleMesh<'_>> = gather(self.trees.len(), 1, &|run, visible| {
-            visible.extend(self.visible_mesh(run.start, around));
-        });
+        let visible: Vec<VisibleMesh<'_>> =
+            gather(self.placed.instances().len(), 1, &|run, visible| {
+                visible.extend(self.visible_mesh(run.start, around));
+            });
         let instances = visible.iter().map(|visible| {
             let instance = &self.placed.instances()[visible.instance];
             FrameInstance {
@@ -126,7 +127,7 @@ impl PickView<'_> {
         number: usize,
         [left, top, right, bottom]: [f64; 4],
     ) -> Option<VisibleMesh<'_>> {
-        let instance = &self.trees[number];
+        let instance = self.tree(number);
         let ranks = self.placed.ranks(&self.placed.instances()[number]);
         let Geometry { mesh, bvh } = self.geometry(number);
         let window = [f64::from(self.size().width), f64::from(self.size().height)];

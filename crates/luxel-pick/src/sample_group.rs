@@ -58,7 +58,7 @@ impl PickView<'_> {
     ) {
         let mut group = SampleGroup::new(positions);
         for &number in instances {
-            let instance = &self.trees[number];
+            let instance = self.tree(number);
             if !instance.bounds_tell_depth {
                 for (best, &position) in owners.iter_mut().zip(positions) {
                     let least = best.map_or(0.0, |best| best.depth);
@@ -332,7 +332,8 @@ mod tests {
             let projection = Projection { lens, near: 0.01, far: 20.0 };
             let camera = Camera { view_from_world, projection };
             let view = PickView::new(&picker, camera, size, Cull::None).unwrap();
-            for (number, instance) in view.trees.iter().enumerate() {
+            for number in 0..view.placed.instances().len() {
+                let instance = view.tree(number);
                 let Geometry { mesh, bvh } = view.geometry(number);
                 let probe = &instance.probe;
                 for node in bvh.view().nodes() {

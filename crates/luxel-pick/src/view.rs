@@ -6,6 +6,7 @@ use crate::window_cells::WindowCells;
 use glam::{DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality};
 use luxel_math::SUBPIXELS;
+use luxel_parallel::Memo;
 use luxel_scene::{Camera, Mesh, Size};
 use luxel_visibility::{
     CoveragePolicy, Cull, DEFAULT_POINT_SIZE, MAX_SIDE, PlacedScene, Probe, Reach, Strokes,
@@ -20,8 +21,8 @@ pub struct PickView<'p> {
     pub(crate) picker: &'p Picker,
     /// The instances, as frames place them.
     pub(crate) placed: PlacedScene<'p>,
-    /// The tree of each instance, in their order.
-    pub(crate) trees: Vec<InstanceTree>,
+    /// The tree of each instance, in their order, once a query has come to it.
+    trees: Vec<Memo<Box<InstanceTree>>>,
     /// The trees of points and lines, in the order of [`PlacedScene::strokes`].
     bvhs_of_strokes: Vec<Bvh>,
     pub(crate) rays: WindowRays,
@@ -110,10 +111,17 @@ impl<'p> PickView<'p> {
             view_rays: ViewRays::new(&camera, &rays),
             cells: WindowCells::default(),
         };
-        view.trees = (0..view.placed.instances().len()).map(|at| view.instance_tree(at)).collect();
-        let places: Vec<_> = (0..view.trees.len()).map(|at| view.place_in_window(at)).collect();
+        let instances = 0..view.placed.instances().len();
+        let places: Vec<_> = instances.clone().map(|at| view.place_in_window(at)).collect();
+        view.trees = instances.map(|_| Memo::new()).collect();
         view.cells = WindowCells::new(size, &places);
         Ok(view)
+    }
+
+    /// The tree of an instance.
+    #[inline]
+    pub(crate) fn tree(&self, number: usize) -> &InstanceTree {
+        self.trees[number].get_or_compute(|| Box::new(self.instance_tree(number)))
     }
 
     fn instance_tree(&self, number: usize) -> InstanceTree {
@@ -226,7 +234,7 @@ impl<'p> PickView<'p> {
     /// The pixels that an instance may cover, `None` for none: the corners of its box, or all where
     /// it comes up to the eye.
     fn place_in_window(&self, number: usize) -> Option<[f64; 4]> {
-        let instance = &self.trees[number];
+        let instance = self.instance_tree(number);
         let bounds_of_tree = self.geometry(number).bvh.bounds()?;
         let view_from_tree = instance.tree_from_view.inverse();
         let projection = &self.camera().projection;

@@ -1,14 +1,17 @@
 //! The trees of bodies, with their transforms.
 
+use crate::world_ray::centre_and_radius;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality, TooManyForTree};
 use luxel_parallel::fill;
 use luxel_scene::{Mesh, Object, Scene};
+use std::sync::Arc;
 
 /// The tree of a body, with its transforms.
 pub(crate) struct PlacedTree {
     pub(crate) mesh: usize,
-    pub(crate) world_from_tree: DMat4,
+    /// The object's own matrix, where the mesh's coordinates are about 0.
+    pub(crate) world_from_tree: Arc<DMat4>,
     pub(crate) tree_from_world: DMat4,
     /// A tree in world coordinates, if the body's transform is singular or too anisotropic for rays to
     /// be transformed.
@@ -18,6 +21,14 @@ pub(crate) struct PlacedTree {
 pub(crate) struct BakedTree {
     pub(crate) bvh: Bvh,
     pub(crate) positions: Vec<[f32; 3]>,
+    pub(crate) sphere: Option<Sphere>,
+}
+
+/// The middle and the radius of a sphere around a tree; none around a tree over nothing.
+pub(crate) type Sphere = (DVec3, f64);
+
+pub(crate) fn sphere_around(bvh: &Bvh) -> Option<Sphere> {
+    bvh.bounds().map(centre_and_radius)
 }
 
 /// A view of a body's tree.
@@ -41,14 +52,19 @@ const MAX_STRETCH: f64 = 1e4;
 
 /// Where an object's mesh is.
 pub(crate) struct Placement {
-    world_from_tree: DMat4,
+    world_from_tree: Arc<DMat4>,
     tree_from_world: DMat4,
 }
 
 impl Placement {
     pub(crate) fn of(mesh: &Mesh, object: &Object) -> Self {
-        let world_from_tree = *object.world_from_mesh * DMat4::from_translation(mesh.origin);
-        Self { world_from_tree, tree_from_world: world_from_tree.inverse() }
+        let own = &object.world_from_mesh;
+        let world_from_tree = **own * DMat4::from_translation(mesh.origin);
+        let bits = |matrix: &DMat4| matrix.to_cols_array().map(f64::to_bits);
+        let is_own = bits(own) == bits(&world_from_tree);
+        let world_from_tree = if is_own { Arc::clone(own) } else { Arc::new(world_from_tree) };
+        let tree_from_world = world_from_tree.inverse();
+        Self { world_from_tree, tree_from_world }
     }
 
     /// Whether the object needs a tree in world coordinates.
@@ -89,9 +105,10 @@ impl PlacedTree {
             }
         });
         let bvh = Bvh::build(&positions, &mesh.triangles, quality)?;
-        let shift = DMat4::from_translation(middle);
+        let sphere = sphere_around(&bvh);
+        let shift = Arc::new(DMat4::from_translation(middle));
         let back = DMat4::from_translation(-middle);
-        Ok(of(shift, back, Some(Box::new(BakedTree { bvh, positions }))))
+        Ok(of(shift, back, Some(Box::new(BakedTree { bvh, positions, sphere }))))
     }
 }
 

@@ -1,8 +1,7 @@
 //! A scene prepared for rays: a tree per mesh, and one over all bodies.
 
 use crate::bodies::{Bodies, opaque_parts};
-use crate::body_tree::{BodyTree, PlacedTree};
-use crate::world_ray::centre_and_radius;
+use crate::body_tree::{BodyTree, PlacedTree, Sphere, sphere_around};
 use glam::DVec3;
 use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel};
@@ -19,8 +18,6 @@ pub struct SceneRays {
     trees: MeshTrees,
     /// The trees of the bodies.
     placed: Vec<PlacedTree>,
-    /// The spheres around the bodies' trees, in their coordinates; `None` for trees over nothing.
-    spheres: Vec<Option<(DVec3, f64)>>,
     /// Whether nothing shines through a mesh.
     opaque_meshes: Vec<bool>,
     /// The tree over the bodies' boxes, relative to `middle`.
@@ -31,6 +28,7 @@ pub struct SceneRays {
 /// The trees of a scene's meshes, without what places them in the world.
 pub struct MeshTrees {
     bvhs: Vec<Bvh>,
+    spheres: Vec<Option<Sphere>>,
     /// How many triangles each mesh has.
     counts: Vec<usize>,
     quality: Quality,
@@ -47,8 +45,9 @@ impl MeshTrees {
             Some(Bvh::build(&mesh.positions, &mesh.triangles, quality))
         });
         let bvhs = all(bvhs)?;
+        let spheres = bvhs.iter().map(sphere_around).collect();
         let counts = scene.meshes.iter().map(|mesh| mesh.triangles.len()).collect();
-        Ok(Self { bvhs, counts, quality })
+        Ok(Self { bvhs, spheres, counts, quality })
     }
 
     /// Whether a scene has as many meshes with as many triangles.
@@ -178,13 +177,10 @@ impl SceneRays {
             level,
             trees,
             placed,
-            spheres: Vec::new(),
             opaque_meshes,
             top: BoxTree::default(),
             middle: DVec3::ZERO,
         };
-        let sphere = |body| rays.tree(body).bvh.bounds().map(centre_and_radius);
-        rays.spheres = (0..rays.bodies.len()).map(sphere).collect();
         let boxes: Vec<[DVec3; 2]> =
             (0..rays.bodies.len()).map(|body| rays.tree(body).world_box()).collect();
         let all = boxes
@@ -315,8 +311,12 @@ impl SceneRays {
     }
 
     /// The sphere around the tree of a body; `None` for a tree over nothing.
-    pub(crate) fn sphere(&self, body: usize) -> Option<(DVec3, f64)> {
-        self.spheres[body]
+    pub(crate) fn sphere(&self, body: usize) -> Option<Sphere> {
+        let placed = &self.placed[body];
+        match &placed.baked {
+            Some(baked) => baked.sphere,
+            None => self.trees.spheres[placed.mesh],
+        }
     }
 
     pub(crate) fn rays(&self, body: usize) -> MeshRays<'_> {

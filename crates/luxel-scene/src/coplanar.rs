@@ -67,7 +67,7 @@ impl CoplanarRanks {
         for (body, shared) in bodies.iter_mut().zip(shared) {
             body.shared = shared;
         }
-        if bodies.iter().all(|body| body.shared.is_empty()) {
+        if bodies.iter().all(|body| body.shared.is_nowhere()) {
             return ranks;
         }
         let voxels = Voxels::new(&bodies, [low - middle, high - middle]);
@@ -112,8 +112,30 @@ struct Body<'a> {
     scale: f64,
     /// Its box about that middle.
     bounds: [DVec3; 2],
-    /// Boxes outside of which it meets no other object.
-    shared: Vec<[DVec3; 2]>,
+    shared: Shared,
+}
+
+/// Where a body may meet other objects.
+enum Shared {
+    Everywhere,
+    /// In these boxes.
+    Within(Vec<[DVec3; 2]>),
+}
+
+impl Shared {
+    const NOWHERE: Self = Self::Within(Vec::new());
+
+    fn is_nowhere(&self) -> bool {
+        matches!(self, Self::Within(boxes) if boxes.is_empty())
+    }
+
+    /// Whether a part of the body with this box may meet others.
+    fn meets(&self, bounds: &[DVec3; 2]) -> bool {
+        match self {
+            Self::Everywhere => true,
+            Self::Within(boxes) => boxes.iter().any(|shared| meet(shared, bounds)),
+        }
+    }
 }
 
 /// A triangle in the world.
@@ -149,7 +171,7 @@ impl<'a> Body<'a> {
             middle: DVec3::ZERO,
             scale,
             bounds: [centre - half, centre + half],
-            shared: Vec::new(),
+            shared: Shared::NOWHERE,
         }
     }
 
@@ -167,8 +189,8 @@ impl<'a> Body<'a> {
     #[inline]
     fn shared_bounds(&self, [a, b, c]: &[DVec3; 3]) -> Option<[DVec3; 2]> {
         let bounds = [a.min(*b).min(*c), a.max(*b).max(*c)];
-        let is_shared = self.shared.iter().any(|shared| meet(shared, &bounds));
-        (is_shared && bounds[0].is_finite() && bounds[1].is_finite()).then_some(bounds)
+        (self.shared.meets(&bounds) && bounds[0].is_finite() && bounds[1].is_finite())
+            .then_some(bounds)
     }
 
     /// `None` for a triangle without area.
@@ -213,8 +235,8 @@ fn box_of(mesh: &Mesh) -> [DVec3; 2] {
     [mesh.origin + (low + high) * 0.5, (high - low) * 0.5]
 }
 
-/// The boxes that each body shares with others; its own if objects within it may meet.
-fn shared_boxes(bodies: &[Body<'_>]) -> Vec<Vec<[DVec3; 2]>> {
+/// Where each body may meet others: everywhere if objects within it may meet.
+fn shared_boxes(bodies: &[Body<'_>]) -> Vec<Shared> {
     // With room for rounding, as for a part of the coordinates here.
     let grown = |body: &Body<'_>| {
         let [low, high] = body.bounds;
@@ -228,22 +250,22 @@ fn shared_boxes(bodies: &[Body<'_>]) -> Vec<Vec<[DVec3; 2]>> {
     let compares = bodies.len() * bodies.len() <= 10 * triangles;
     let of_body = |number: usize| {
         let own = boxes[number];
+        if !own[0].is_finite() || !own[1].is_finite() {
+            return Shared::NOWHERE;
+        }
         if !compares || bodies[number].objects.len() > 1 {
-            return vec![own];
+            return Shared::Everywhere;
         }
         let others = (0..boxes.len()).filter(|other| *other != number);
         let shared = others.map(|other| &boxes[other]).filter(|other| meet(&own, other));
-        let mut shared: Vec<_> =
+        let shared: Vec<_> =
             shared.map(|other| [own[0].max(other[0]), own[1].min(other[1])]).collect();
-        if shared.len() > MOST_SHARED {
-            shared = vec![own];
-        }
-        shared
+        if shared.len() > MOST_SHARED { Shared::Everywhere } else { Shared::Within(shared) }
     };
     (0..bodies.len()).map(of_body).collect()
 }
 
-/// A body with more of these boxes has its own box instead.
+/// A body with more of these boxes is taken to meet others everywhere.
 const MOST_SHARED: usize = 8;
 
 /// Whether two boxes have a point in common.
@@ -286,7 +308,7 @@ fn tasks<'b, 'a>(bodies: &'b [Body<'a>]) -> Vec<Vec<Piece<'b, 'a>>> {
     let mut tasks: Vec<Vec<Piece<'_, '_>>> = Vec::new();
     let mut room = 0;
     for (number, body) in (0..).zip(bodies) {
-        if body.shared.is_empty() {
+        if body.shared.is_nowhere() {
             continue;
         }
         let count = body.mesh.triangles.len() as u32;
