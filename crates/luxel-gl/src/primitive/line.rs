@@ -40,25 +40,27 @@ impl LineWalk {
         let (from, to) = (finer(from), finer(to));
         let delta = [to[0] - from[0], to[1] - from[1]];
         let major = usize::from(delta[1].abs() > delta[0].abs());
-        let step = if delta[major] < 0 { -1 } else { 1 };
+        let along = |pair: [i64; 2]| chosen(pair, major);
+        let (start, end) = (along(from), along(to));
+        let step = if end < start { -1 } else { 1 };
         // Pixels whose centre the line passes.
         let (first, last) = if step > 0 {
-            ((from[major] + HALF - 1).div_euclid(STEP), (to[major] - HALF).div_euclid(STEP))
+            ((start + HALF - 1).div_euclid(STEP), (end - HALF).div_euclid(STEP))
         } else {
-            ((from[major] - HALF).div_euclid(STEP), (to[major] + HALF - 1).div_euclid(STEP))
+            ((start - HALF).div_euclid(STEP), (end + HALF - 1).div_euclid(STEP))
         };
         let mut walk =
             Self { major, first: first as i32, step: step as i32, count: 0, from, delta };
         let mut count = (last - first) * step + 1;
         let begins_within = diamond(from);
-        if begins_within.is_some_and(|pixel| pixel[major] == first - step) {
+        if begins_within.is_some_and(|pixel| along(pixel) == first - step) {
             walk.first -= walk.step;
             count += 1;
         }
         // Where it ends within a diamond, that one isn't left.
         if let Some(pixel) = diamond(to)
             && count > 0
-            && pixel[major] == i64::from(walk.first) + (count - 1) * step
+            && along(pixel) == i64::from(walk.first) + (count - 1) * step
         {
             count -= 1;
         }
@@ -70,19 +72,26 @@ impl LineWalk {
     pub(crate) fn pixel(&self, index: i32) -> [i32; 2] {
         let along = self.first + index * self.step;
         let (major, minor) = (self.major, 1 - self.major);
-        let length = self.delta[major];
+        let length = chosen(self.delta, major);
+        let start = chosen(self.from, minor);
         let across = if length == 0 {
-            self.from[minor]
+            start
         } else {
             // Rounded down to whole steps: the pixel is the same.
-            let way = i64::from(along) * STEP + HALF - self.from[major];
+            let way = i64::from(along) * STEP + HALF - chosen(self.from, major);
             let within = way.clamp(length.min(0), length.max(0));
-            self.from[minor] + (self.delta[minor] * within).div_euclid(length)
+            start + (chosen(self.delta, minor) * within).div_euclid(length)
         };
-        let mut pixel = [along; 2];
-        pixel[minor] = across.div_euclid(STEP) as i32;
-        pixel
+        let across = across.div_euclid(STEP) as i32;
+        if major == 0 { [along, across] } else { [across, along] }
     }
+}
+
+/// The value along an axis. A place in an array would go through memory, and what is written in parts and read whole there
+/// waits.
+#[inline(always)]
+fn chosen([x, y]: [i64; 2], axis: usize) -> i64 {
+    if axis == 0 { x } else { y }
 }
 
 /// The pixel whose diamond holds a place.

@@ -22,6 +22,8 @@ pub(crate) struct Prepared {
     /// The first of its rows for textures, if the pipeline has any: secondary colours, then the coordinates of each
     /// stage.
     pub(crate) rows: u32,
+    /// Whether nothing that its fragments take changes from corner to corner.
+    pub(crate) is_even: bool,
 }
 
 /// One draw.
@@ -144,12 +146,17 @@ impl Batch {
         };
         match shape {
             None | Some(Shape::Triangle(_) | Shape::Smooth { .. }) => {
-                let places = corners.map(|corner| self.homogeneous(corner));
-                prepared.weigh(&LinearForms::from_homogeneous(places));
-                prepared.color(colors, fog);
-                self.put_rows(prepared, rows, row_values);
+                if self.is_uneven(prepared, colors, fog) {
+                    let places = corners.map(|corner| self.homogeneous(corner));
+                    prepared.weigh(&LinearForms::from_homogeneous(places));
+                    self.put_rows(prepared, rows, row_values);
+                }
             }
             Some(shape @ (Shape::Line { line, .. } | Shape::Band { line, .. })) => {
+                let (colors, fog) = of_both(&line.weights);
+                if !self.is_uneven(prepared, colors, fog) {
+                    return;
+                }
                 let places =
                     line.places.map(|end| end.map(|at| f64::from(at) / f64::from(SUBPIXELS)));
                 let mut way = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
@@ -157,8 +164,6 @@ impl Batch {
                     way[1 - line.walk().major] = 0.0;
                 }
                 prepared.weigh_along(places[0], way, line.w);
-                let (colors, fog) = of_both(&line.weights);
-                prepared.color(colors, fog);
                 self.put_rows(prepared, rows, |row| {
                     let values = row_values(row);
                     let [from, to] = line.weights.map(|weights| mixed(weights, values));
@@ -170,12 +175,26 @@ impl Batch {
                     Shape::Point { weights, .. } | Shape::Disc { weights, .. } => *weights,
                     _ => [1.0, 0.0, 0.0],
                 };
-                prepared.weigh_along([0.0; 2], [0.0; 2], [1.0; 2]);
                 let (colors, fog) = of_both(&[weights; 2]);
-                prepared.color(colors, fog);
-                self.put_rows(prepared, rows, |row| [mixed(weights, row_values(row)); 3]);
+                if self.is_uneven(prepared, colors, fog) {
+                    prepared.weigh_along([0.0; 2], [0.0; 2], [1.0; 2]);
+                    self.put_rows(prepared, rows, |row| [mixed(weights, row_values(row)); 3]);
+                }
             }
         }
+    }
+
+    /// Takes colours and fog coordinates of three corners, and tells whether fragments interpolate anything.
+    ///
+    /// Differences are compared as they are interpolated, so that infinities aren't even.
+    fn is_uneven(&self, prepared: &mut Prepared, colors: [[f32; 4]; 3], fog: [f32; 3]) -> bool {
+        prepared.color(colors, fog);
+        let is_even = |[a, b, c]: [f32; 3]| b - a == 0.0 && c - a == 0.0;
+        let has_rows = self.pipeline.textures.is_some();
+        prepared.is_even = !has_rows
+            && (0..4).all(|channel| is_even(colors.map(|color| color[channel])))
+            && (self.pipeline.fog.is_none() || is_even(fog));
+        !prepared.is_even
     }
 
     /// Appends the rows for textures, of values at three corners.

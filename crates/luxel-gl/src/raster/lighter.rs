@@ -72,19 +72,24 @@ impl<'a> Lighter<'a> {
     }
 
     /// Prepares an entry, and returns its place.
+    #[inline]
     pub(super) fn prepare(&mut self, number: u32) -> usize {
         let at = number as usize - 1;
-        if self.prepared.places[at] == 0
-            && let Some((batch, pieces, piece)) = self.piece(number)
-        {
-            let PreparedEntries { places, all, rows } = &mut self.prepared;
-            all.push(Prepared::default());
-            places[at] = all.len() as u32;
-            if let Some(prepared) = all.last_mut() {
-                batch.prepare(piece, pieces.shape(piece), rows, prepared);
-            }
+        if self.prepared.places[at] == 0 {
+            self.prepare_anew(number);
         }
         (self.prepared.places[at] as usize).saturating_sub(1)
+    }
+
+    #[inline(never)]
+    fn prepare_anew(&mut self, number: u32) {
+        let Some((batch, pieces, piece)) = self.piece(number) else { return };
+        let PreparedEntries { places, all, rows } = &mut self.prepared;
+        all.push(Prepared::default());
+        places[number as usize - 1] = all.len() as u32;
+        if let Some(prepared) = all.last_mut() {
+            batch.prepare(piece, pieces.shape(piece), rows, prepared);
+        }
     }
 }
 

@@ -51,6 +51,79 @@ pub(super) fn shade<'p, S: Simd>(
     let lanes = f32x16::splat(simd, 0.0);
     let x = (f32x16::simd_from(simd, CENTRE_X) + origin[0] as f32).to_f64();
     let y = (f32x16::simd_from(simd, CENTRE_Y) + origin[1] as f32).to_f64();
+    let Shading { textures, fog, .. } = shading;
+    let is_even = of(0).is_even && (alike || (1..LANES).all(|lane| of(lane).is_even));
+    let [mut colors @ .., distance] = if is_even {
+        // What interpolation gives, to the bit.
+        at_corner(lanes, &of, alike, fog.is_some())
+    } else {
+        interpolated([x, y], &of, alike, fog.is_some())
+    };
+    for color in &mut colors {
+        *color = color.clamped(0.0, 1.0);
+    }
+    if let Some(primary) = shading.primary {
+        for (color, values) in colors.iter_mut().zip(primary) {
+            *color = f32x16::from_slice(simd, values).clamped(0.0, 1.0);
+        }
+    }
+    if let Some(textures) = textures {
+        let rows = shading.rows;
+        let lookup = TextureLookup { of: &of, alike, position: [x, y], rows };
+        colors = textured(colors, &lookup, textures, shading.lanes);
+    }
+    if let Some(fog) = fog {
+        let [r, g, b, a] = colors;
+        let Rgb { r, g, b } = fog.veiled(Rgb::new(r, g, b), distance.positive_part(), &mut Silent);
+        colors = [r, g, b, a];
+        for color in &mut colors {
+            *color = color.clamped(0.0, 1.0);
+        }
+    }
+    colors
+}
+
+/// Red, green, blue, alpha and the fog coordinate, if there is one, at the first corner.
+#[inline(always)]
+fn at_corner<'p, S: Simd>(
+    lanes: f32x16<S>,
+    of: &impl Fn(usize) -> &'p Prepared,
+    alike: bool,
+    has_fog: bool,
+) -> [f32x16<S>; 5] {
+    let mut values = [lanes; 5];
+    if alike {
+        let [colors, more] = &of(0).attributes;
+        for (value, color) in values.iter_mut().zip(&colors[..4]) {
+            *value = lanes.constant(*color);
+        }
+        values[4] = lanes.constant(more[4]);
+        return values;
+    }
+    let colors = lanes.load_transposed(
+        #[inline(always)]
+        |lane| &of(lane).attributes[0],
+    );
+    values[..4].copy_from_slice(&colors[..4]);
+    if has_fog {
+        let more = lanes.load_transposed(
+            #[inline(always)]
+            |lane| &of(lane).attributes[1],
+        );
+        values[4] = more[4];
+    }
+    values
+}
+
+/// Red, green, blue, alpha and the fog coordinate, if there is one, at places of the window.
+#[inline(always)]
+fn interpolated<'p, S: Simd>(
+    [x, y]: [F64x16<S>; 2],
+    of: &impl Fn(usize) -> &'p Prepared,
+    alike: bool,
+    has_fog: bool,
+) -> [f32x16<S>; 5] {
+    let lanes = x.to_f32();
     let (forms, [first, second]) = if alike {
         let prepared = of(0);
         let [first, second] = &prepared.attributes;
@@ -77,33 +150,15 @@ pub(super) fn shade<'p, S: Simd>(
             ],
         )
     };
-    let Shading { textures, fog, .. } = shading;
     let [_, v, t] = forms.clamped_barycentrics(x, y);
-    let mut colors = [lanes; 4];
-    for (channel, color) in colors.iter_mut().enumerate() {
-        let [a, b, c] = [first[channel], first[4 + channel], second[channel]];
-        *color = mixed([a, b, c], [v, t]).clamped(0.0, 1.0);
+    let mut values = [lanes; 5];
+    for (channel, value) in values[..4].iter_mut().enumerate() {
+        *value = mixed([first[channel], first[4 + channel], second[channel]], [v, t]);
     }
-    if let Some(primary) = shading.primary {
-        for (color, values) in colors.iter_mut().zip(primary) {
-            *color = f32x16::from_slice(simd, values).clamped(0.0, 1.0);
-        }
+    if has_fog {
+        values[4] = mixed([second[4], second[5], second[6]], [v, t]);
     }
-    if let Some(textures) = textures {
-        let rows = shading.rows;
-        let lookup = TextureLookup { of: &of, alike, position: [x, y], rows };
-        colors = textured(colors, &lookup, textures, shading.lanes);
-    }
-    if let Some(fog) = fog {
-        let distance = mixed([second[4], second[5], second[6]], [v, t]);
-        let [r, g, b, a] = colors;
-        let Rgb { r, g, b } = fog.veiled(Rgb::new(r, g, b), distance.positive_part(), &mut Silent);
-        colors = [r, g, b, a];
-        for color in &mut colors {
-            *color = color.clamped(0.0, 1.0);
-        }
-    }
-    colors
+    values
 }
 
 /// A row in every lane.

@@ -16,7 +16,9 @@ pub(super) fn line<S: Simd>(
 ) {
     let LineEnds { places: ends, depths, .. } = *of;
     let walk = of.walk();
-    let (major, minor) = (walk.major, 1 - walk.major);
+    let major = walk.major;
+    // A column across.
+    let across = if major == 0 { [0, 1] } else { [1, 0] };
     let length = (ends[1][major] - ends[0][major]) as f32;
     let slope = if length == 0.0 { 0.0 } else { (depths[1] - depths[0]) / length };
     let mut slopes = [0.0; 2];
@@ -47,10 +49,10 @@ pub(super) fn line<S: Simd>(
         let first = walk.pixel(index);
         let position = first.map(|at| at * SUBPIXELS + SUBPIXELS / 2);
         let z = plane.at(position);
-        for across in 0..width {
-            let mut pixel = [first[0] - sink.origin[0], first[1] - sink.origin[1]];
-            pixel[minor] += across;
-            if (0..TILE).contains(&pixel[minor]) {
+        let first = [first[0] - sink.origin[0], first[1] - sink.origin[1]];
+        for number in 0..width {
+            let pixel = [first[0] + number * across[0], first[1] + number * across[1]];
+            if (0..TILE).contains(&pixel[0]) && (0..TILE).contains(&pixel[1]) {
                 sink.sample(pixel, position, z);
             }
         }
