@@ -7,7 +7,7 @@ use super::pieces::{Piece, Pieces};
 use super::shade::{Shading, encode, shade};
 use super::tile::Entry;
 use crate::plane::Blocks;
-use luxel_math::{LANES, Simd, lanes_of, mask32x16, prelude::*, u32x16};
+use luxel_math::{LANES, Simd, mask32x16, prelude::*, u32x16};
 use luxel_visibility::PackedForms;
 use std::sync::Arc;
 
@@ -61,6 +61,14 @@ impl<'a> Lighter<'a> {
         self.piece(number).map(|(batch, ..)| batch)
     }
 
+    /// Whether an entry goes through a batch's pipeline, as `leader` does, which is of the batch.
+    #[inline]
+    fn is_of_pipeline(&self, number: u32, leader: u32, batch: &Batch) -> bool {
+        let [own, other] = [number, leader].map(|number| self.list[number as usize - 1].item);
+        own == other
+            || self.batch(number).is_some_and(|own| Arc::ptr_eq(&own.pipeline, &batch.pipeline))
+    }
+
     fn piece(&self, number: u32) -> Option<(&'a Batch, &'a Pieces, &'a Piece)> {
         let entry = self.list.get((number as usize).wrapping_sub(1))?;
         match &self.items[entry.item as usize] {
@@ -106,38 +114,33 @@ pub(super) fn light_seen<S: Simd>(
     simd.vectorize(
         #[inline(always)]
         || {
-            let mut left = 0;
-            for lane in 0..LANES {
-                left |= u32::from(seen[lane] != 0) << lane;
-            }
+            let numbers = u32x16::from_slice(simd, &seen[..]);
+            let nothing = u32x16::splat(simd, 0);
+            let mut left = !numbers.simd_eq(nothing).to_bitmask() as u32 & u32::from(u16::MAX);
             let [x, y] = block_origin(block);
             let first_pixel = [origin[0] + x, origin[1] + y];
             // Lanes of one pipeline together: nearly always all of them.
             while left != 0 {
-                let leader = left.trailing_zeros() as usize & (LANES - 1);
-                let Some(first) = lighter.batch(seen[leader]) else { return };
-                let mut together = 0;
-                let mut alike = true;
-                let mut places = [lighter.prepare(seen[leader]); LANES];
-                // Lanes side by side often see the same.
-                let (mut number, mut place) = (seen[leader], places[leader]);
-                let mut belongs = true;
-                for lane in lanes_of(left) {
-                    if seen[lane] != number {
-                        number = seen[lane];
-                        belongs = lighter
-                            .batch(number)
-                            .is_some_and(|batch| Arc::ptr_eq(&batch.pipeline, &first.pipeline));
-                        if belongs {
-                            place = lighter.prepare(number);
-                            alike &= place == places[leader];
-                        }
-                    }
-                    if belongs {
-                        together |= 1 << lane;
-                        places[lane] = place;
+                let leader = seen[left.trailing_zeros() as usize & (LANES - 1)];
+                let Some(first) = lighter.batch(leader) else { return };
+                let first_place = lighter.prepare(leader) as u32;
+                let mut places = u32x16::splat(simd, first_place);
+                let (mut together, mut alike) = (0, true);
+                let mut others = left;
+                while others != 0 {
+                    let number = seen[others.trailing_zeros() as usize & (LANES - 1)];
+                    let own = numbers.simd_eq(u32x16::splat(simd, number));
+                    let lanes = own.to_bitmask() as u32;
+                    others &= !lanes;
+                    if lighter.is_of_pipeline(number, leader, first) {
+                        let place = lighter.prepare(number) as u32;
+                        alike &= place == first_place;
+                        places = own.select(u32x16::splat(simd, place), places);
+                        together |= lanes;
                     }
                 }
+                let mut place_of = [0; LANES];
+                places.store_slice(&mut place_of);
                 left &= !together;
                 let prepared = &lighter.prepared.all;
                 let shading = Shading {
@@ -151,7 +154,7 @@ pub(super) fn light_seen<S: Simd>(
                     simd,
                     first_pixel,
                     #[inline(always)]
-                    |lane| &prepared[places[lane & (LANES - 1)]],
+                    |lane| &prepared[place_of[lane & (LANES - 1)] as usize],
                     alike,
                     shading,
                 );
