@@ -1,7 +1,7 @@
 //! Depths as planes keep them: whole steps of 24 bits, or floats (ARB_depth_buffer_float).
 
 use crate::plane::Plane;
-use luxel_math::Lanes;
+use luxel_math::{F64Lanes, Lanes};
 
 /// The largest depth in steps of 24 bits.
 const LARGEST_STEP: f32 = 16_777_215.0;
@@ -59,10 +59,13 @@ impl DepthKind {
     }
 
     /// The depth from 0 to 1 that is kept as `value`.
-    #[inline]
-    pub(crate) fn unit(self, value: f32) -> f32 {
+    #[inline(always)]
+    pub(crate) fn unit<N: Lanes>(self, value: N) -> N {
         match self {
-            Self::Steps => (f64::from(value) / f64::from(LARGEST_STEP)) as f32,
+            Self::Steps => {
+                let value = value.to_f64();
+                (value / value.constant(LARGEST_STEP.into())).to_f32()
+            }
             Self::Floats => value,
         }
     }

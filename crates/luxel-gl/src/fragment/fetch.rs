@@ -47,17 +47,29 @@ impl<'t> Fetch<'t> {
             (self.plain, self.image.format.srgb, &self.image.texels)
         {
             let [width, height, _] = self.image.size;
+            let of = |numbers: &[u32; LANES]| u32x16::from_slice(simd, &numbers[..]);
+            let mut places = [0; LANES];
+            ((of(deep) * height + of(up)) * width + of(across)).store_slice(&mut places);
             let mut words = [0; LANES];
             zero.visit(
                 lanes,
                 #[inline(always)]
-                |lane| {
-                    let index = ((deep[lane] * height + up[lane]) * width + across[lane]) as usize;
-                    words[lane] = u32::from_le_bytes(texels[index]);
-                },
+                |lane| words[lane] = u32::from_le_bytes(texels[places[lane] as usize]),
             );
             let words = u32x16::from_slice(simd, &words);
             return [channel(words, 0), channel(words, 8), channel(words, 16), channel(words, 24)];
+        }
+        if let (true, Texels::Depth(Some(depths))) = (self.plain, &self.image.texels) {
+            let mut kept = [0.0; LANES];
+            zero.visit(
+                lanes,
+                #[inline(always)]
+                |lane| {
+                    let value = depths.values.get([across[lane], up[lane]], 0);
+                    kept[lane] = value.unwrap_or(0.0);
+                },
+            );
+            return [depths.kind.unit(zero.load(&kept, 0)); 4];
         }
         let mut columns = [[0.0; LANES]; 4];
         zero.visit(
