@@ -4,7 +4,6 @@ use crate::error::exception;
 use crate::view::{ModelView, draft, execution, sampled};
 use luxel::lighting::{EnvironmentMap, OrientedMap};
 use luxel::render::{Picture, Renderer, TILE_SIDE, View};
-use luxel::scene::Size;
 use std::cell::RefCell;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -41,42 +40,43 @@ impl Drawer {
         Ok(Self { renderer, map: map.map(Arc::new) })
     }
 
-    /// Draws a share of the picture of a view of [`ModelView::pack`] into `pixels`, one cell after the other, each row by
-    /// row. A cell is a rectangle of pixels, four numbers (left, top, right, bottom), which begins where a tile of 64x64
-    /// does and ends where one does or the picture. A draft has one sample and casts no rays; other pictures have the
-    /// view's `samples` if these are 0.
+    /// Draws a share of the picture of a view of [`ModelView::pack`] into `pixels`: of rows of tiles, which are 64 pixels
+    /// high, every `parts`-th from number `part` on, one below the other. A draft has one sample and casts no rays; other
+    /// pictures have the view's `samples` if these are 0.
     ///
     /// # Errors
-    /// An exception for other bytes and cells, for a picture that is too large, and for too few `pixels`.
-    pub fn draw_cells(
+    /// An exception for other bytes, for a picture that is too large, and for too few `pixels`.
+    pub fn draw_part(
         &self,
         view: &[u8],
         is_draft: bool,
         samples: u32,
-        cells: &[u32],
+        part: usize,
+        parts: usize,
         pixels: &Pixels,
     ) -> Result<(), JsError> {
         let view = chosen(view, self.map.as_ref(), is_draft, samples)?;
-        draw_cells(&self.renderer, &view, cells, pixels)
+        draw_part(&self.renderer, &view, (part, parts), pixels)
     }
 }
 
 #[wasm_bindgen]
 impl ModelView {
-    /// As [`Drawer::draw_cells`].
+    /// As [`Drawer::draw_part`].
     ///
     /// # Errors
     /// As there.
-    pub fn draw_cells(
+    pub fn draw_part(
         &self,
         view: &[u8],
         is_draft: bool,
         samples: u32,
-        cells: &[u32],
+        part: usize,
+        parts: usize,
         pixels: &Pixels,
     ) -> Result<(), JsError> {
         let map = self.view.environment.map().map(OrientedMap::map);
-        draw_cells(&self.renderer, &chosen(view, map, is_draft, samples)?, cells, pixels)
+        draw_part(&self.renderer, &chosen(view, map, is_draft, samples)?, (part, parts), pixels)
     }
 
     /// The view as it is now but for the map of its environment, for drawers.
@@ -118,47 +118,25 @@ fn chosen(
     Ok(if is_draft { draft(view) } else { sampled(view, samples) })
 }
 
-fn draw_cells(
+fn draw_part(
     renderer: &Renderer,
     view: &View,
-    cells: &[u32],
+    (part, parts): (usize, usize),
     pixels: &Pixels,
 ) -> Result<(), JsError> {
-    let Size { width, height } = view.size;
-    let side = TILE_SIDE as u32;
-    let (cells, rest) = cells.as_chunks::<4>();
-    let is_sound = |&[left, top, right, bottom]: &[u32; 4]| {
-        left < right && right <= width && top < bottom && bottom <= height
-    };
-    if !rest.is_empty() || !cells.iter().all(is_sound) {
-        return Err(JsError::new("these are no cells of the picture"));
-    }
-    let across = width.div_ceil(side);
-    let is_mine = |tile: usize| {
-        let (x, y) = (tile as u32 % across * side, tile as u32 / across * side);
-        cells.iter().any(|&[left, top, right, bottom]| {
-            (left..right).contains(&x) && (top..bottom).contains(&y)
-        })
-    };
+    let parts = parts.max(1);
+    let width = view.size.width as usize;
+    let across = width.div_ceil(TILE_SIDE as usize);
+    let is_mine = |tile: usize| (tile / across) % parts == part;
     PICTURE.with_borrow_mut(|picture| {
         renderer.rgba8_tiles_into(view, is_mine, picture).map_err(exception)?;
+        if parts == 1 {
+            return pixels.set(picture.pixels.as_flattened(), 0).map_err(too_few);
+        }
         let mut at = 0;
-        let mut put = |run: &[[u8; 4]]| -> Result<(), JsError> {
-            pixels.set(run.as_flattened(), at).map_err(too_few)?;
-            at += run.as_flattened().len();
-            Ok(())
-        };
-        let width = width as usize;
-        for cell in cells {
-            let [left, top, right, bottom] = cell.map(|edge| edge as usize);
-            let rows = &picture.pixels[top * width..bottom * width];
-            if right - left == width {
-                put(rows)?;
-                continue;
-            }
-            for row in rows.chunks_exact(width) {
-                put(&row[left..right])?;
-            }
+        for band in picture.pixels.chunks(TILE_SIDE as usize * width).skip(part).step_by(parts) {
+            pixels.set(band.as_flattened(), at).map_err(too_few)?;
+            at += band.as_flattened().len();
         }
         Ok(())
     })

@@ -1,6 +1,6 @@
 /** What the page and its workers say to one another. */
 
-/** Bytes of a picture, or of a share of it: cells, one after the other, each row by row. */
+/** Bytes of a picture, or of a share of it: rows of tiles, one below the other. */
 export type Pixels = Uint8ClampedArray<ArrayBuffer>;
 
 /** How a picture is drawn: a draft has one sample and casts no rays, others the view's samples if these are 0. */
@@ -101,14 +101,14 @@ export interface Calls {
   /** For drawers: the scene of a view, and which of its objects are hidden. */
   prepare(id: number, scene: PackedScene): void;
   /**
-   * Draws cells of a picture into `into`, which comes back: rectangles, four numbers each (left, top, right, bottom).
-   * Nothing is drawn if the scene is another one meanwhile.
+   * Draws a share of a picture into `into`, which comes back: every `parts`-th row of tiles from `part` on. Nothing is
+   * drawn if the scene is another one meanwhile.
    */
   draw(
     id: number,
     frame: Pick<Frame, "view" | "version">,
     quality: Quality,
-    cells: Uint32Array,
+    share: readonly [part: number, parts: number],
     into: Pixels,
   ): { isDrawn: boolean; pixels: Pixels };
   memory(): number;

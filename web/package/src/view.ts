@@ -14,9 +14,11 @@ import type {
   RegionHit,
 } from "./answers.ts";
 import type { CameraState, Frame, NavigationEvent, Pixels } from "./protocol.ts";
-import { bytesOf, copyCell, drawnCells, numbersOf, sharesOf, type DrawnShare } from "./shares.ts";
 import { pairs, type Settings } from "./settings.ts";
 
+
+/** The height of a row of tiles, in pixels. */
+const TILE = 64;
 
 /** How a picture is drawn. */
 export interface DrawOptions {
@@ -28,10 +30,10 @@ export interface DrawOptions {
   workers?: number;
 }
 
-/** A drawn picture, as its workers have drawn it. */
+/** A drawn picture, by rows of tiles as workers have drawn them. */
 interface Drawn {
   frame: Frame;
-  shares: DrawnShare[];
+  parts: Pixels[];
 }
 
 /** A view of a scene. Its calls are answered in the order in which they are made. */
@@ -71,33 +73,32 @@ export class View {
    */
   async render(options: DrawOptions = {}, reused?: ImageData): Promise<ImageData> {
     if (reused !== undefined) this.#spare.push(reused.data as Pixels);
-    const { frame, shares } = await this.#draw(options);
+    const { frame, parts } = await this.#draw(options);
     const { width, height } = frame;
-    if (shares.length === 1) {
-      return new ImageData(shares[0]!.pixels, width, height);
+    if (parts.length === 1) {
+      return new ImageData(parts[0]!, width, height);
     }
-    const picture = this.#pixels(width * height * 4);
-    for (const { cell, pixels } of drawnCells(shares)) {
-      copyCell(cell, pixels, picture, width);
-    }
-    this.#reuse(shares);
-    return new ImageData(picture, width, height);
+    const pixels = this.#pixels(width * height * 4);
+    eachBand(width, height, parts, (band, top) => pixels.set(band, top * width * 4));
+    this.#spare.push(...parts);
+    return new ImageData(pixels, width, height);
   }
 
   /** Draws the picture into a canvas, which takes its size; the camera that it shows. */
   async draw(canvas: HTMLCanvasElement, options: DrawOptions = {}): Promise<CameraState & { hasRays: boolean }> {
-    const { frame, shares } = await this.#draw(options);
+    const { frame, parts } = await this.#draw(options);
+    const { width, height } = frame;
     // Setting a size clears the canvas.
-    if (canvas.width !== frame.width) canvas.width = frame.width;
-    if (canvas.height !== frame.height) canvas.height = frame.height;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
     const context = canvas.getContext("2d");
     if (context === null) {
       throw new LuxelError("this canvas can't be drawn to");
     }
-    for (const { cell, pixels } of drawnCells(shares)) {
-      context.putImageData(new ImageData(pixels, cell.right - cell.left), cell.left, cell.top);
-    }
-    this.#reuse(shares);
+    eachBand(width, height, parts, (band, top) => {
+      context.putImageData(new ImageData(band, width), 0, top);
+    });
+    this.#spare.push(...parts);
     return { ...frame.camera, hasRays: frame.hasRays };
   }
 
@@ -217,28 +218,26 @@ export class View {
   async #draw({ draft = false, samples = 0, workers }: DrawOptions): Promise<Drawn> {
     const frame = await this.#frame;
     const { width, height, version } = frame;
+    const rows = Math.ceil(height / TILE);
     /** A smaller picture is drawn before a second worker has heard of it. */
     const least = 40_000;
     const many = workers ?? (width * height < least ? 1 : Infinity);
     const hands = [this.#hand, ...(many > 1 ? await this.#ready(version, many - 1) : [])];
+    const count = Math.min(hands.length, rows);
+    const quality = { isDraft: draft, samples };
     const drawn = await Promise.all(
-      sharesOf(width, height, hands.length).map(async (cells, at) => {
-        const into = this.#pixels(bytesOf(cells));
-        const parameters = [this.#id, frame, { isDraft: draft, samples }, numbersOf(cells), into] as const;
-        const { isDrawn, pixels } = await hands[at]!.call("draw", [...parameters], [into.buffer]);
-        return { isDrawn, cells, pixels };
+      hands.slice(0, count).map((hand, part) => {
+        const into = this.#pixels(shareBytes(width, height, part, count));
+        return hand.call("draw", [this.#id, frame, quality, [part, count], into], [into.buffer]);
       }),
     );
+    const parts = drawn.map(({ pixels }) => pixels);
     if (drawn.every(({ isDrawn }) => isDrawn)) {
-      return { frame, shares: drawn };
+      return { frame, parts };
     }
     // The scene was changed meanwhile: the picture is drawn as it is now.
-    this.#reuse(drawn);
+    this.#spare.push(...parts);
     return this.#draw({ draft, samples, workers });
-  }
-
-  #reuse(shares: readonly DrawnShare[]): void {
-    this.#spare.push(...shares.map(({ pixels }) => pixels));
   }
 
   /** Memory for a share of a picture: an earlier picture's, if it has as many bytes. */
@@ -284,3 +283,31 @@ export class View {
     await Promise.all(helpers().map((hand) => this.#prepared.get(hand)));
   }
 }
+
+/** The bytes of a share of a picture: every `parts`-th row of tiles from `part` on. */
+function shareBytes(width: number, height: number, part: number, parts: number): number {
+  let lines = 0;
+  for (let top = part * TILE; top < height; top += parts * TILE) {
+    lines += Math.min(TILE, height - top);
+  }
+  return lines * width * 4;
+}
+
+/** Each row of tiles with its first line; part p of n holds rows p, p + n, p + 2n and so on. */
+function eachBand(
+  width: number,
+  height: number,
+  parts: readonly Pixels[],
+  use: (band: Pixels, top: number) => void,
+): void {
+  if (parts.length === 1) {
+    use(parts[0]!, 0);
+    return;
+  }
+  for (let row = 0; row * TILE < height; row++) {
+    const start = Math.floor(row / parts.length) * TILE * width * 4;
+    const lines = Math.min(TILE, height - row * TILE);
+    use(parts[row % parts.length]!.subarray(start, start + lines * width * 4), row * TILE);
+  }
+}
+

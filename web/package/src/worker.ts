@@ -259,11 +259,11 @@ const answers: Answers = {
     drawers.set(id, { drawer: new Drawer(scene, Uint32Array.from(hidden), map), version });
   },
 
-  draw(id, { view, version }, { isDraft, samples }, cells, into) {
+  draw(id, { view, version }, { isDraft, samples }, [part, parts], into) {
     const open = views.get(id);
     const { drawer, version: own } =
       open === undefined ? got(drawers, id, "view") : { drawer: open.view, version: open.version };
-    if (own === version) drawer.draw_cells(view, isDraft, samples, cells, into);
+    if (own === version) drawer.draw_part(view, isDraft, samples, part, parts, into);
     // Not to be waited for: a question says what is wrong.
     if (open !== undefined) fetched ??= canAnswer().catch(() => {});
     return { isDrawn: own === version, pixels: into };
