@@ -40,9 +40,9 @@ impl Drawer {
         Ok(Self { renderer, map: map.map(Arc::new) })
     }
 
-    /// Draws a share of the picture of a view of [`ModelView::pack`] into `pixels`: of rows of tiles, which are 64 pixels
-    /// high, every `parts`-th from number `part` on, one below the other. A draft has one sample and casts no rays; other
-    /// pictures have the view's `samples` if these are 0.
+    /// Draws a share of the picture of a view of [`ModelView::pack`] into `pixels`: of rows of tiles, which are 64
+    /// pixels high, every `parts`-th from number `part` on, one below the other. A draft has one sample and casts no
+    /// rays; other pictures have the view's `samples` if these are 0.
     ///
     /// # Errors
     /// An exception for other bytes, for a picture that is too large, and for too few `pixels`.

@@ -4,7 +4,18 @@ import { linkAnswers } from "../wasm/answers.js";
 import initialize, { Drawer, Model, ModelView } from "../wasm/luxel.js";
 import type * as Readers from "../wasm/readers.js";
 import { compile } from "./compile.ts";
-import type { CallName, Calls, CameraState, Files, Frame, ModuleUrls, NavigationEvent, Pixels, Request, Response } from "./protocol.ts";
+import type {
+  CallName,
+  Calls,
+  CameraState,
+  Files,
+  Frame,
+  ModuleUrls,
+  NavigationEvent,
+  Pixels,
+  Request,
+  Response,
+} from "./protocol.ts";
 
 interface OpenView {
   view: ModelView;

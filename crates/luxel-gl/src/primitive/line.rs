@@ -87,7 +87,7 @@ impl LineWalk {
     }
 }
 
-/// The value along an axis. A place in an array would go through memory, and what is written in parts and read whole there
+/// The value along an axis. A place in an array would go through memory, where what is written in parts and read whole
 /// waits.
 #[inline(always)]
 fn chosen([x, y]: [i64; 2], axis: usize) -> i64 {

@@ -193,7 +193,8 @@ pub(crate) fn visible_clusters(
             let Instance { clusters, parts, .. } = &instances.list[*instance];
             let first = instances.first_clusters[*instance];
             let faces = culler.as_ref().map(|culler| BackFaces { culler, parts });
-            dispatch!(level, simd => cull_groups(simd, transform, size, clusters, groups.clone(), first, faces, &mut visible));
+            let (groups, out) = (groups.clone(), &mut visible);
+            dispatch!(level, simd => cull_groups(simd, transform, size, clusters, groups, first, faces, out));
         }
         visible
     });

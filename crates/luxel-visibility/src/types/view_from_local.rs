@@ -8,7 +8,7 @@ use luxel_math::{F64Lanes, Lanes};
 pub struct ViewFromLocal(DMat4);
 
 impl ViewFromLocal {
-    /// For a mesh about `origin` (its [`Mesh::origin`]).
+    /// For a mesh about `origin` (its [`Mesh::origin`](luxel_scene::Mesh::origin)).
     #[must_use]
     pub fn new(view_from_mesh: &DMat4, origin: DVec3) -> Self {
         Self(*view_from_mesh * DMat4::from_translation(origin))
