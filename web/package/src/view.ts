@@ -217,7 +217,7 @@ export class View {
 
   async #draw({ draft = false, samples = 0, workers }: DrawOptions): Promise<Drawn> {
     const frame = await this.#frame;
-    const { width, height, version } = frame;
+    const { width, height, view, version } = frame;
     const rows = Math.ceil(height / TILE);
     /** A smaller picture is drawn before a second worker has heard of it. */
     const least = 40_000;
@@ -228,7 +228,7 @@ export class View {
     const drawn = await Promise.all(
       hands.slice(0, count).map((hand, part) => {
         const into = this.#pixels(shareBytes(width, height, part, count));
-        return hand.call("draw", [this.#id, frame, quality, [part, count], into], [into.buffer]);
+        return hand.call("draw", [this.#id, { view, version }, quality, [part, count], into], [into.buffer]);
       }),
     );
     const parts = drawn.map(({ pixels }) => pixels);
