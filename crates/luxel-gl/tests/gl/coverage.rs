@@ -73,6 +73,41 @@ proptest! {
         // 64, or nothing; twice would be 128.
         prop_assert!(pixels(&mut context).iter().all(|pixel| [0, 64].contains(&pixel[0])));
     }
+
+    #[test]
+    fn section_3_5_1_a_primitive_of_one_colour_has_it_beside_others_whose_colours_change(
+        edge in [corner(), corner()], others in [corner(), corner()], color in any::<[u8; 4]>(),
+        w in 1.0..9.0_f32, mode in prop::sample::select(vec![gl::TRIANGLES, gl::LINES]),
+    ) {
+        let own = |context: &mut Context| {
+            context.color(color.map(|byte| f32::from(byte) / 255.0));
+            context.begin(mode);
+            for ([x, y], w) in [edge[0], edge[1], others[0]].into_iter().zip([1.0, w, 1.0]) {
+                context.vertex([x as f32 / 256.0 * w, y as f32 / 256.0 * w, 0.0, w]);
+            }
+            context.end();
+        };
+        let mut alone = canvas(SIDE as u32, SIDE as u32);
+        own(&mut alone);
+        let mut beside = canvas(SIDE as u32, SIDE as u32);
+        beside.begin(gl::TRIANGLES);
+        for (number, [x, y]) in [edge[0], edge[1], others[1]].into_iter().enumerate() {
+            beside.color([number as f32 / 2.0, 0.5, 1.0 - number as f32 / 2.0, 1.0]);
+            beside.vertex([x as f32 / 256.0, y as f32 / 256.0, 0.0, 1.0]);
+        }
+        beside.end();
+        own(&mut beside);
+        let mut cleared = canvas(SIDE as u32, SIDE as u32);
+        cleared.clear_color(color.map(|byte| 1.0 - (f32::from(byte) / 255.0).round()));
+        cleared.clear(gl::COLOR_BUFFER_BIT);
+        own(&mut cleared);
+        let all = [&mut alone, &mut beside, &mut cleared].map(pixels);
+        for ((alone, beside), cleared) in all[0].iter().zip(&all[1]).zip(&all[2]) {
+            let is_own = *alone == color && *cleared == color;
+            prop_assert!(is_own || *alone == [0; 4], "{alone:?}");
+            prop_assert!(!is_own || *beside == color, "{beside:?}");
+        }
+    }
 }
 
 #[test]

@@ -63,6 +63,24 @@ fn section_4_1_7_factors_weigh_source_and_destination() {
 }
 
 #[test]
+fn section_4_1_7_alpha_has_factors_of_its_own() {
+    let with = |factors: [u32; 4]| {
+        over(DESTINATION, SOURCE, |context| {
+            let [source, destination, source_alpha, destination_alpha] = factors;
+            context.enable(gl::BLEND);
+            context.blend_func_separate(source, destination, source_alpha, destination_alpha);
+        })
+    };
+    // ZERO and ONE beside SRC_ALPHA and ONE_MINUS_SRC_ALPHA.
+    assert_eq!(with([1, 0, 0, 1]), [204, 102, 51, 102]);
+    assert_eq!(with([0, 1, 1, 0]), [51, 153, 255, 153]);
+    assert_eq!(with([0x0302, 0x0303, 1, 0]), [143, 122, 133, 153]);
+    // SRC_ALPHA_SATURATE: min(A_s, 1 - A_d) for colours, 1 for alpha.
+    assert_eq!(with([0x0308, 0, 0x0308, 0]), [122, 61, 31, 153]);
+    assert_eq!(with([0x0308, 0, 0x0302, 0]), [122, 61, 31, 92]);
+}
+
+#[test]
 fn section_4_1_7_equations_add_subtract_and_take_extremes() {
     let with = |equation| {
         over(DESTINATION, SOURCE, |context| {
