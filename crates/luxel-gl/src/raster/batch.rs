@@ -146,7 +146,7 @@ impl Batch {
         };
         match shape {
             None | Some(Shape::Triangle(_) | Shape::Smooth { .. }) => {
-                if self.is_uneven(prepared, colors, fog) {
+                if self.put_colors(prepared, colors, fog) {
                     let places = corners.map(|corner| self.homogeneous(corner));
                     prepared.weigh(&LinearForms::from_homogeneous(places));
                     self.put_rows(prepared, rows, row_values);
@@ -154,7 +154,7 @@ impl Batch {
             }
             Some(shape @ (Shape::Line { line, .. } | Shape::Band { line, .. })) => {
                 let (colors, fog) = of_both(&line.weights);
-                if !self.is_uneven(prepared, colors, fog) {
+                if !self.put_colors(prepared, colors, fog) {
                     return;
                 }
                 let places =
@@ -176,7 +176,7 @@ impl Batch {
                     _ => [1.0, 0.0, 0.0],
                 };
                 let (colors, fog) = of_both(&[weights; 2]);
-                if self.is_uneven(prepared, colors, fog) {
+                if self.put_colors(prepared, colors, fog) {
                     prepared.weigh_along([0.0; 2], [0.0; 2], [1.0; 2]);
                     self.put_rows(prepared, rows, |row| [mixed(weights, row_values(row)); 3]);
                 }
@@ -184,10 +184,10 @@ impl Batch {
         }
     }
 
-    /// Takes colours and fog coordinates of three corners, and tells whether fragments interpolate anything.
+    /// Takes colours and fog coordinates of three corners; whether fragments interpolate any of their values.
     ///
     /// Differences are compared as they are interpolated, so that infinities aren't even.
-    fn is_uneven(&self, prepared: &mut Prepared, colors: [[f32; 4]; 3], fog: [f32; 3]) -> bool {
+    fn put_colors(&self, prepared: &mut Prepared, colors: [[f32; 4]; 3], fog: [f32; 3]) -> bool {
         prepared.color(colors, fog);
         let is_even = |[a, b, c]: [f32; 3]| b - a == 0.0 && c - a == 0.0;
         let has_rows = self.pipeline.textures.is_some();
