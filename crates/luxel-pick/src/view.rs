@@ -111,9 +111,17 @@ impl<'p> PickView<'p> {
             view_rays: ViewRays::new(&camera, &rays),
             cells: WindowCells::default(),
         };
-        let instances = 0..view.placed.instances().len();
-        let places: Vec<_> = instances.clone().map(|at| view.place_in_window(at)).collect();
-        view.trees = instances.map(|_| Memo::new()).collect();
+        let mut places = Vec::new();
+        for number in 0..view.placed.instances().len() {
+            let tree = view.instance_tree(number);
+            places.push(view.place_in_window(number, &tree));
+            let kept = Memo::new();
+            // To make it again would read all positions.
+            if !tree.bounds_tell_depth {
+                kept.get_or_compute(|| Box::new(tree));
+            }
+            view.trees.push(kept);
+        }
         view.cells = WindowCells::new(size, &places);
         Ok(view)
     }
@@ -233,8 +241,7 @@ impl<'p> PickView<'p> {
 
     /// The pixels that an instance may cover, `None` for none: the corners of its box, or all where
     /// it comes up to the eye.
-    fn place_in_window(&self, number: usize) -> Option<[f64; 4]> {
-        let instance = self.instance_tree(number);
+    fn place_in_window(&self, number: usize, instance: &InstanceTree) -> Option<[f64; 4]> {
         let bounds_of_tree = self.geometry(number).bvh.bounds()?;
         let view_from_tree = instance.tree_from_view.inverse();
         let projection = &self.camera().projection;
