@@ -4,7 +4,7 @@ use crate::world_ray::centre_and_radius;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality, TooManyForTree};
 use luxel_parallel::fill;
-use luxel_scene::{Mesh, Object, Scene};
+use luxel_scene::{Mesh, Object, Scene, is_same_matrix};
 use std::sync::Arc;
 
 /// The tree of a body, with its transforms.
@@ -60,8 +60,7 @@ impl Placement {
     pub(crate) fn of(mesh: &Mesh, object: &Object) -> Self {
         let own = &object.world_from_mesh;
         let world_from_tree = **own * DMat4::from_translation(mesh.origin);
-        let bits = |matrix: &DMat4| matrix.to_cols_array().map(f64::to_bits);
-        let is_own = bits(own) == bits(&world_from_tree);
+        let is_own = is_same_matrix(own, &world_from_tree);
         let world_from_tree = if is_own { Arc::clone(own) } else { Arc::new(world_from_tree) };
         let tree_from_world = world_from_tree.inverse();
         Self { world_from_tree, tree_from_world }

@@ -49,7 +49,7 @@ pub use normal_map::mapped_normal;
 pub use normals::{DEFAULT_CREASE_DEGREES, NormalOptions, NormalSource};
 pub use opacity::{OpacityCorners, OpacityLanes};
 pub use restyle::Restyle;
-pub use scene::{Object, Scene, bodies};
+pub use scene::{Object, Scene, bodies, is_same_matrix};
 pub use sections::{Joiner, SectionRange};
 pub use texture::{Filter, Image, MipLevel, Sampler, Texture, Wrap};
 pub use topology::{Topology, weld};

@@ -158,8 +158,8 @@ impl Scene {
             for index in chain.drain(..).rev() {
                 let own = &self.nodes[index].parent_from_node;
                 base *= **own;
-                let shared = last.take().filter(|last| is_same(last, &base));
-                let shared = shared.or_else(|| is_same(own, &base).then(|| Arc::clone(own)));
+                let shared = last.take().filter(|last| is_same_matrix(last, &base));
+                let shared = shared.or_else(|| is_same_matrix(own, &base).then(|| Arc::clone(own)));
                 world[index] = Some(Arc::clone(last.insert(shared.unwrap_or_else(|| base.into()))));
             }
         }
@@ -253,8 +253,9 @@ impl Scene {
     }
 }
 
-/// Whether two matrices have the same bits.
-fn is_same(a: &DMat4, b: &DMat4) -> bool {
+/// Whether two matrices have the same bits: 0 and -0 differ, which == takes for the same.
+#[must_use]
+pub fn is_same_matrix(a: &DMat4, b: &DMat4) -> bool {
     let bits = |matrix: &DMat4| matrix.to_cols_array().map(f64::to_bits);
     bits(a) == bits(b)
 }
