@@ -74,6 +74,25 @@ test("several workers draw the bytes of one", () =>
     assert.deepEqual(isSame, [true, true, true, false, false]);
   }));
 
+test("after events of which the second is unknown, pictures show what the first did", () =>
+  withViewer("#demo=teapot&size=64x64", async (page) => {
+    const [said, moved, drawn, before] = await page.evaluate(async () => {
+      const { demo } = await import("./luxel/luxel.js");
+      const scene = await demo("teapot");
+      const view = await scene.view({ size: "64x64" });
+      const canvas = document.createElement("canvas");
+      const before = (await view.draw(canvas)).viewFromWorld;
+      const said = await view.navigate(["tap", "orbit-right", 5], ["tap", "orbit", 1]).catch(String);
+      const drawn = (await view.draw(canvas)).viewFromWorld;
+      const moved = (await view.navigate()).viewFromWorld;
+      scene.dispose();
+      return [said, moved, drawn, before];
+    });
+    assert.match(said, /orbit/);
+    assert.deepEqual(drawn, moved);
+    assert.notDeepEqual(drawn, before);
+  }));
+
 test("a picture waits for no answers, and a question says why none come, until they do", async () => {
   const page = await browser.context.newPage();
   let arrives = () => {};
