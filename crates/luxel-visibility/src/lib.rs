@@ -15,7 +15,8 @@
 //! 4. `raster`: transforms the vertices of a cluster (`transform`), clips triangles where it must
 //!    (`clip`), drops those that hold no sample (`sample_cull`), sets them up in exact integers
 //!    (`setup`), and rasterizes 4x4 pixels (`triangles`) or 16 triangles (`small_triangles`) at a time.
-//!    Other renderers set triangles up themselves ([`Triangle`]) and take their samples ([`cover`], [`Sink`]).
+//!    Other renderers set triangles up themselves ([`Triangle`]) and take their samples: of one ([`cover`],
+//!    [`Sink`]), or of many that may be small ([`TriangleStream`], [`StreamSink`]).
 //! 5. `query`: barycentrics of a sample ([`Forms`], [`TileForms`]), corners and normals of its triangle
 //!    ([`InstanceSpace`]), the fill rule for one triangle and one sample ([`Probe`]).
 //! 6. `frame`: all of it for one view.
@@ -49,7 +50,10 @@ pub use query::{
     TileForms, ViewRays, ViewSpace, WindowRays, interpolate, interpolate_corners,
     interpolate_corners_step, interpolate_step, sides, strokes, tile_of,
 };
-pub use raster::{DepthPlane, Plane, Sink, Tile, Triangle, clip_by_plane, cover, rank_step};
+pub use raster::{
+    DepthPlane, Plane, SampleGrid, Sink, SmallPlaces, SmallSamples, SmallSink, StreamSink, Tile,
+    Triangle, TriangleStream, clip_by_plane, cover, rank_step,
+};
 pub use types::{
     Asked, BLOCK, BLOCKS, Coverage, CullFaces, GUARD_BAND, Holes, MAX_SAMPLES, MAX_SIDE, PartUse,
     Region, Samples, TILE, TriangleId, ViewFromLocal, WindowVertex, snap,

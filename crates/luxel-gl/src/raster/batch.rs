@@ -60,6 +60,15 @@ impl Batch {
         }
     }
 
+    /// Whether of all tests that of depth alone decides what is drawn; of polygons, or of others.
+    pub(super) fn is_tested_by_depth_alone(&self, of_polygon: bool) -> bool {
+        let pipeline = &*self.pipeline;
+        pipeline.stencil.is_none()
+            && self.samples.is_none()
+            && !pipeline.is_mixing()
+            && (pipeline.polygon_stipple.is_none() || !of_polygon)
+    }
+
     /// Takes a bitmap with its lower left corner at a pixel, in the colours of the batch's first vertex.
     pub(crate) fn put_bitmap(
         &mut self,

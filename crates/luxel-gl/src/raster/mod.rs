@@ -2,14 +2,15 @@
 //!
 //! 1. `pipeline`: all state of fragments; `batch`: what the primitives of one draw have in common; `pieces`: the parts of
 //!    these, with their `shape`.
-//! 2. `build`: culls and clips primitives, and makes pieces of them (`border`: of lines and points, `smooth_fill`: of smooth polygons), by `draw_state`, where
-//!    `placement` has them in the window.
+//! 2. `build`: culls and clips primitives, and makes pieces of them (`border`: of lines and points, `smooth_fill`: of smooth
+//!    polygons), by `draw_state`, where `placement` has them in the window.
 //! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
 //!    memory.
-//! 4. `tile`: takes one tile's list in order, `piece_sink` the samples of one piece (`strokes`: of lines and points,
-//!    `smooth`: of those that end within pixels, `outline`: of smooth polygons; `image`: of images; `samples`: where these lie). Where colours take no
-//!    notice of what is there, samples are tested at once and note which piece they see; those that are seen at last are
-//!    lit (`lighter`, `shade`). Where they do, blocks are lit as they come, once for all samples (`shaded`).
+//! 4. `tile`: takes one tile's list in order, `tile_samples` its pieces, `piece_sink` the samples of one (`strokes`: of
+//!    lines and points, `smooth`: of those that end within pixels, `outline`: of smooth polygons; `image`: of images;
+//!    `samples`: where these lie). Where colours take no notice of what is there, samples are tested at once and note which
+//!    piece they see, where depth alone decides sixteen small triangles at a time (`small_pieces`); those that are seen at
+//!    last are lit (`lighter`, `shade`). Where they do, blocks are lit as they come, once for all samples (`shaded`).
 //! 5. `stencil`, `blend`: tests of fragments and mixing of colours.
 //! 6. `framebuffer`: the planes that are drawn to; `blit`: copies between them.
 
@@ -33,12 +34,14 @@ mod samples;
 mod shade;
 mod shaded;
 mod shape;
+mod small_pieces;
 mod smooth;
 mod smooth_fill;
 mod spare;
 mod stencil;
 mod strokes;
 mod tile;
+mod tile_samples;
 
 pub(crate) use batch::Batch;
 pub(crate) use bitmap::Bitmap;

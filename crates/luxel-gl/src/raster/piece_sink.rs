@@ -13,6 +13,23 @@ use luxel_math::{LANES, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u
 use luxel_visibility::{Sink, Tile};
 use std::sync::atomic::{AtomicU64, Ordering};
 
+/// What decides about the samples of one piece.
+#[derive(Clone, Copy)]
+pub(super) struct Tests<'t> {
+    pub(super) pipeline: &'t Pipeline,
+    /// Pixels of the tile that may be drawn to: left, bottom, right, top.
+    pub(super) limits: [i32; 4],
+    /// Whether depth alone decides.
+    pub(super) plain: bool,
+    pub(super) stipple: Option<&'t [u32; 32]>,
+    /// The piece's entry, from 1 on.
+    pub(super) number: u32,
+    /// What depths are moved by.
+    pub(super) offset: f32,
+    /// Counts the samples that pass; the sum doesn't depend on the order of tiles.
+    pub(super) samples: Option<&'t AtomicU64>,
+}
+
 /// Takes the samples of one piece.
 pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) simd: S,
@@ -22,23 +39,14 @@ pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) seen: &'t mut Seen,
     pub(super) lighter: &'t mut Lighter<'a>,
     pub(super) shaded: &'t mut ShadedBlocks,
-    pub(super) pipeline: &'t Pipeline,
     pub(super) origin: [i32; 2],
-    /// Pixels of the tile that may be drawn to: left, bottom, right, top.
-    pub(super) limits: [i32; 4],
+    pub(super) tests: Tests<'t>,
+    /// Whether the limits are all pixels of the tile.
     pub(super) is_whole: bool,
-    /// Whether depth alone decides.
-    pub(super) plain: bool,
-    pub(super) stipple: Option<&'t [u32; 32]>,
-    pub(super) number: u32,
-    /// What depths are moved by.
-    pub(super) offset: f32,
     /// Colours of an image in the block that comes.
     pub(super) primary: Option<[[f32; LANES]; 4]>,
     /// The parts of pixels that are covered, by which alphas are multiplied, in the block that comes.
     pub(super) coverage: Option<[f32; LANES]>,
-    /// Counts the samples that pass; the sum doesn't depend on the order of tiles.
-    pub(super) samples: Option<&'t AtomicU64>,
 }
 
 impl<S: Simd> Sink for PieceSink<'_, '_, S> {
@@ -56,40 +64,40 @@ impl<S: Simd> Sink for PieceSink<'_, '_, S> {
         if !covered.any_true() {
             return;
         }
-        if !self.plain {
+        if !self.tests.plain {
             self.by_all_tests(covered.to_bitmask() as u32, &z.into(), block);
             return;
         }
         let mut passing = covered;
-        if let Some((func, writes)) = self.pipeline.depth {
-            let z = self.planes.depth_kind.moved(z, self.offset);
+        if let Some((func, writes)) = self.tests.pipeline.depth {
+            let z = self.planes.depth_kind.moved(z, self.tests.offset);
             let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
             passing = covered & compare(func, z, stored);
             if writes {
                 passing.select(z, stored).store_slice(&mut self.planes.depth[block]);
             }
         }
-        if self.pipeline.color_bits != 0 {
+        if self.tests.pipeline.color_bits != 0 {
             let before = u32x16::from_slice(simd, &self.seen[block]);
-            let number = u32x16::splat(simd, self.number);
+            let number = u32x16::splat(simd, self.tests.number);
             passing.select(number, before).store_slice(&mut self.seen[block]);
         }
     }
 
     #[inline(always)]
     fn sample(&mut self, [column, row]: [i32; 2], _: [i32; 2], z: f32) {
-        let [left, bottom, right, top] = self.limits;
+        let [left, bottom, right, top] = self.tests.limits;
         if column < left || column >= right || row < bottom || row >= top {
             return;
         }
         let (block, lane) = Tile::place(column, row);
         let (block, lane) = (block & (TILE_BLOCKS - 1), lane & (LANES - 1));
-        if !self.plain {
+        if !self.tests.plain {
             self.by_all_tests(1 << lane, &[z; LANES], block);
             return;
         }
-        if let Some((func, writes)) = self.pipeline.depth {
-            let z = self.planes.depth_kind.moved(z, self.offset);
+        if let Some((func, writes)) = self.tests.pipeline.depth {
+            let z = self.planes.depth_kind.moved(z, self.tests.offset);
             let stored = &mut self.planes.depth[block][lane];
             if !compare(func, z, *stored) {
                 return;
@@ -98,8 +106,8 @@ impl<S: Simd> Sink for PieceSink<'_, '_, S> {
                 *stored = z;
             }
         }
-        if self.pipeline.color_bits != 0 {
-            self.seen[block][lane] = self.number;
+        if self.tests.pipeline.color_bits != 0 {
+            self.seen[block][lane] = self.tests.number;
         }
     }
 }
@@ -108,7 +116,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
     /// The lanes of a block that may be drawn to.
     #[inline(always)]
     fn allowed<T: Simd>(&self, simd: T, block: usize) -> mask32x16<T> {
-        let [left, bottom, right, top] = self.limits;
+        let [left, bottom, right, top] = self.tests.limits;
         let [x, y] = block_origin(block);
         let lane_x = i32x16::simd_from(simd, LANE_X) + x;
         let lane_y = i32x16::simd_from(simd, LANE_Y) + y;
@@ -128,13 +136,15 @@ impl<S: Simd> PieceSink<'_, '_, S> {
 
     #[inline(always)]
     fn tested(&mut self, simd: S, mut lanes: u32, z: &[f32; LANES], block: usize) {
-        if let Some(stipple) = self.stipple {
+        if let Some(stipple) = self.tests.stipple {
             lanes &= stippled(stipple, self.origin, block);
         }
         // Colours of an image are known now alone.
-        let mixing = self.pipeline.is_mixing() || self.primary.is_some() || self.coverage.is_some();
+        let mixing =
+            self.tests.pipeline.is_mixing() || self.primary.is_some() || self.coverage.is_some();
         let mut colors = None;
-        if let Some(multisample) = self.pipeline.multisample.as_ref().filter(|of| of.needs_colors())
+        if let Some(multisample) =
+            self.tests.pipeline.multisample.as_ref().filter(|of| of.needs_colors())
         {
             let mut shaded = self.colors(simd, block, lanes);
             if multisample.alpha_to_coverage {
@@ -145,7 +155,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             }
             colors = Some(shaded);
         }
-        if let Some((func, reference)) = self.pipeline.alpha_test {
+        if let Some((func, reference)) = self.tests.pipeline.alpha_test {
             let shaded = match colors {
                 Some(shaded) => shaded,
                 None => self.colors(simd, block, lanes),
@@ -158,13 +168,13 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             return;
         }
         let mut passing = lanes;
-        let stencil = self.pipeline.stencil.as_ref();
+        let stencil = self.tests.pipeline.stencil.as_ref();
         if let Some(test) = stencil {
             passing = test.passing(lanes, &self.planes.stencil[block]);
         }
         let after_stencil = passing;
-        if let Some((func, writes)) = self.pipeline.depth {
-            let z = self.planes.depth_kind.moved(f32x16::from_slice(simd, z), self.offset);
+        if let Some((func, writes)) = self.tests.pipeline.depth {
+            let z = self.planes.depth_kind.moved(f32x16::from_slice(simd, z), self.tests.offset);
             let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
             let passes = compare(func, z, stored).to_bitmask() as u32;
             passing &= passes;
@@ -177,15 +187,15 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             let outcomes = [lanes & !after_stencil, after_stencil & !passing, passing];
             test.update(outcomes, &mut self.planes.stencil[block]);
         }
-        if let Some(samples) = self.samples {
+        if let Some(samples) = self.tests.samples {
             samples.fetch_add(u64::from(passing.count_ones()), Ordering::Relaxed);
         }
-        if passing == 0 || self.pipeline.color_bits == 0 {
+        if passing == 0 || self.tests.pipeline.color_bits == 0 {
             return;
         }
         if !mixing {
             for lane in lanes_of(passing) {
-                self.seen[block][lane] = self.number;
+                self.seen[block][lane] = self.tests.number;
             }
             return;
         }
@@ -212,7 +222,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
 
     #[inline(always)]
     fn shaded_colors(&mut self, simd: S, block: usize, mut lanes: u32) -> Colors<S> {
-        if let Some(colors) = self.shaded.get(self.number, block) {
+        if let Some(colors) = self.shaded.get(self.tests.number, block) {
             let mut of = [f32x16::splat(simd, 0.0); 4];
             for (of, color) in of.iter_mut().zip(colors) {
                 *of = f32x16::from_slice(simd, color);
@@ -223,12 +233,12 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             // Other samples may cover other pixels.
             lanes = u32::from(u16::MAX);
         }
-        let place = self.lighter.prepare(self.number);
+        let place = self.lighter.prepare(self.tests.number);
         let prepared = self.lighter.at(place);
         let shading = Shading {
-            textures: self.pipeline.textures.as_ref(),
+            textures: self.tests.pipeline.textures.as_ref(),
             rows: self.lighter.rows(),
-            fog: self.pipeline.fog.as_ref(),
+            fog: self.tests.pipeline.fog.as_ref(),
             primary: self.primary.as_ref(),
             lanes,
         };
@@ -242,7 +252,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             true,
             shading,
         );
-        if let Some(place) = self.shaded.place(self.number, block) {
+        if let Some(place) = self.shaded.place(self.tests.number, block) {
             for (place, color) in place.iter_mut().zip(colors) {
                 color.store_slice(place);
             }
@@ -254,14 +264,14 @@ impl<S: Simd> PieceSink<'_, '_, S> {
     #[inline(always)]
     fn mix(&mut self, simd: S, lanes: u32, colors: Colors<S>, block: usize) {
         let stored = u32x16::from_slice(simd, &self.planes.color[block]);
-        let mut words = match &self.pipeline.blend {
+        let mut words = match &self.tests.pipeline.blend {
             Some(blend) => encode(blended(blend, &colors, &decode(stored))),
             None => encode(colors),
         };
-        if let Some(operation) = self.pipeline.logic_op {
+        if let Some(operation) = self.tests.pipeline.logic_op {
             words = logic(operation, words, stored);
         }
-        let bits = self.pipeline.color_bits;
+        let bits = self.tests.pipeline.color_bits;
         let written = (words & bits) | (stored & !bits);
         let mask = mask32x16::from_bitmask(simd, u64::from(lanes));
         mask.select(written, stored).store_slice(&mut self.planes.color[block]);

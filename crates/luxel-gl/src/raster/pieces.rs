@@ -3,7 +3,7 @@
 use super::batch::Batch;
 use super::outline::Outline;
 use super::shape::Shape;
-use luxel_visibility::{CullFaces, TILE, Triangle};
+use luxel_visibility::{CullFaces, TILE, Triangle, WindowVertex};
 
 /// Where a primitive's colours come from: three vertices of the batch, of which a line has two and a point one; in flat
 /// shading the colour of one vertex; of which side.
@@ -34,11 +34,22 @@ impl Piece {
         self.tiles.map(usize::from)
     }
 
+    /// Whether it is the triangle of its corners, as they lie in the window.
+    #[inline(always)]
+    pub(super) fn is_of_corners(&self) -> bool {
+        self.shape == OF_CORNERS
+    }
+
+    /// Its corners in the window.
+    #[inline(always)]
+    pub(super) fn corners(&self, batch: &Batch) -> [WindowVertex; 3] {
+        self.shade.corners.map(|corner| batch.vertices.window[corner as usize])
+    }
+
     /// The triangle of its corners, set up.
     #[inline(always)]
     pub(super) fn triangle(&self, batch: &Batch) -> Option<Triangle> {
-        let window = self.shade.corners.map(|corner| batch.vertices.window[corner as usize]);
-        Triangle::new(window, CullFaces::None)
+        Triangle::new(self.corners(batch), CullFaces::None)
     }
 }
 

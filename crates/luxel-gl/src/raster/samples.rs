@@ -42,6 +42,12 @@ pub(super) fn offset(multisample: Option<&Multisample>, sample: usize) -> [i32; 
     multisample.map_or(CENTRE, |_| FOUR[sample % SAMPLES])
 }
 
+/// Where `count` samples lie, each by [`offset`].
+pub(super) fn offsets(multisample: Option<&Multisample>, count: usize) -> &'static [[i32; 2]] {
+    let all: &[[i32; 2]; SAMPLES] = multisample.map_or(&[CENTRE; SAMPLES], |_| &FOUR);
+    &all[..count.min(SAMPLES)]
+}
+
 /// The lanes whose alpha covers a sample: as many of the first ones as alpha is a part of all, rounded.
 #[inline(always)]
 pub(super) fn covered_by_alpha<N: Lanes>(alpha: N, sample: usize) -> N::Mask {

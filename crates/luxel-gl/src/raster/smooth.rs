@@ -302,9 +302,10 @@ pub(super) fn sampled<S: Simd>(
 
 /// The tile's own pixels within bounds that may be drawn to.
 fn within<S>(sink: &PieceSink<'_, '_, S>, bounds: [i32; 4]) -> [[i32; 2]; 2] {
-    let low = |axis: usize| (bounds[axis] - sink.origin[axis]).max(sink.limits[axis]).max(0);
-    let high =
-        |axis: usize| (bounds[axis + 2] - sink.origin[axis]).min(sink.limits[axis + 2]).min(TILE);
+    let low = |axis: usize| (bounds[axis] - sink.origin[axis]).max(sink.tests.limits[axis]).max(0);
+    let high = |axis: usize| {
+        (bounds[axis + 2] - sink.origin[axis]).min(sink.tests.limits[axis + 2]).min(TILE)
+    };
     [[low(0), low(1)], [high(0), high(1)]]
 }
 

@@ -39,7 +39,7 @@ pub(super) fn line<S: Simd>(
     } else {
         [walk.first - low - TILE + 1, walk.first - low + 1]
     };
-    let stipple = sink.pipeline.line_stipple;
+    let stipple = sink.tests.pipeline.line_stipple;
     for index in bounds[0].max(0)..bounds[1].min(walk.count) {
         if let Some((factor, pattern)) = stipple
             && pattern >> (counter.wrapping_add(index as u32) / factor % 16) & 1 == 0

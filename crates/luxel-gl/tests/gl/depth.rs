@@ -1,9 +1,12 @@
 //! Window depths (sections 2.10.1, 3.5.5, 4.1.6).
 
 use crate::canvas::{canvas, depths, draw, gl, pixels};
+use luxel_gl::Context;
+use proptest::prelude::*;
 
 /// One step of a buffer of 24 bits.
 const STEP: f32 = 1.0 / 16_777_215.0;
+const POLYGON_OFFSET_FILL: u32 = 0x8037;
 const WHOLE: [[f32; 3]; 3] = [[-50.0, -50.0, 0.0], [50.0, -50.0, 0.0], [0.0, 90.0, 0.0]];
 
 fn at_depth(z: f32) -> [[f32; 3]; 3] {
@@ -91,7 +94,7 @@ fn section_3_5_5_offset_moves_by_the_slope_and_by_steps() {
     let offset = |factor: f32, units: f32, slope: f32| {
         let mut context = canvas(64, 64);
         context.enable(gl::DEPTH_TEST);
-        context.enable(0x8037);
+        context.enable(POLYGON_OFFSET_FILL);
         context.polygon_offset(factor, units);
         let corner = |x: f32, y: f32| [x, y, -slope * x];
         let corners = [corner(0.0, 0.0), corner(64.0, 0.0), corner(0.0, 64.0)];
@@ -133,7 +136,7 @@ fn section_3_5_5_whole_units_move_by_whole_steps_also_near_the_far_plane() {
     let drawn = |units: f32| {
         let mut context = canvas(64, 64);
         context.enable(gl::DEPTH_TEST);
-        context.enable(0x8037);
+        context.enable(POLYGON_OFFSET_FILL);
         context.polygon_offset(0.0, units);
         let corners = [[0.0, 0.0, -0.3], [64.0, 3.0, -0.9], [5.0, 64.0, -0.5]];
         draw(&mut context, gl::TRIANGLES, &corners);
@@ -145,4 +148,81 @@ fn section_3_5_5_whole_units_move_by_whole_steps_also_near_the_far_plane() {
     let drawn = plain.iter().zip(&moved).filter(|(plain, _)| **plain < 16_777_215);
     assert!(drawn.clone().count() > 1500);
     assert!(drawn.into_iter().all(|(plain, moved)| plain - moved == 2));
+}
+
+/// A triangle with its own state: how depths are compared, written and moved, and whether colours are.
+#[derive(Clone, Debug)]
+pub(crate) struct Drawn {
+    corners: [[f32; 3]; 3],
+    func: u32,
+    writes: bool,
+    colors: bool,
+    moved: bool,
+}
+
+/// Triangles of a few pixels, most of them, in few depths: equally near ones are frequent.
+pub(crate) fn drawn() -> impl Strategy<Value = Drawn> {
+    let size = prop_oneof![4 => 0.1..3.0_f32, 2 => 3.0..10.0_f32, 1 => 10.0..90.0_f32];
+    let place = [0.0..100.0_f32, 0.0..70.0_f32];
+    let corner = || ([-1.0..1.0_f32, -1.0..1.0_f32], -2..3_i32);
+    let func = prop_oneof![6 => 0..4_u32, 1 => 4..12_u32];
+    let rarely = || prop::bool::weighted(0.04);
+    (
+        place,
+        size,
+        [corner(), corner(), corner()],
+        any::<bool>(),
+        func,
+        [rarely(), rarely(), rarely()],
+    )
+        .prop_map(|([x, y], size, corners, level, func, [keeps, hides, moved])| {
+            let z = |z: i32| if level { 0.0 } else { z as f32 / 4.0 };
+            let corner =
+                |([dx, dy], depth): ([f32; 2], i32)| [x + dx * size, y + dy * size, z(depth)];
+            // Most share one of four: runs of those that may wait.
+            let func =
+                [0x201, 0x203, 0x204, 0x206].get(func as usize).copied().unwrap_or(0x1fc + func);
+            Drawn { corners: corners.map(corner), func, writes: !keeps, colors: !hides, moved }
+        })
+}
+
+/// Draws them in turn, all in the colours of their numbers; with `waits` all are carried out together.
+pub(crate) fn draw_all(context: &mut Context, all: &[Drawn], run: usize, waits: bool) {
+    context.enable(gl::DEPTH_TEST);
+    context.polygon_offset(0.0, 4000.0);
+    for (number, of) in all.iter().enumerate() {
+        // Runs of triangles have the first one's comparison.
+        context.depth_func(all[number - number % run].func);
+        context.depth_mask(of.writes);
+        context.color_mask(of.colors, of.colors, of.colors, of.colors);
+        if of.moved {
+            context.enable(POLYGON_OFFSET_FILL);
+        } else {
+            context.disable(POLYGON_OFFSET_FILL);
+        }
+        let [low, high] = [number & 255, number >> 8].map(|byte| byte as f32 / 255.0);
+        context.color([low, high, 1.0, 1.0]);
+        draw(context, gl::TRIANGLES, &of.corners);
+        if !waits {
+            context.finish();
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn section_4_1_6_triangles_that_are_drawn_together_hide_one_another_in_the_order_of_calls(
+        all in prop::collection::vec(drawn(), 1..160), run in 1..64_usize, start in prop::sample::select(vec![0.0, 0.5, 1.0]),
+    ) {
+        let outcome = |waits: bool| {
+            let mut context = canvas(100, 70);
+            context.clear_depth(start);
+            context.clear(gl::DEPTH_BUFFER_BIT);
+            draw_all(&mut context, &all, run, waits);
+            (pixels(&mut context), depths(&mut context))
+        };
+        prop_assert!(outcome(true) == outcome(false));
+    }
 }

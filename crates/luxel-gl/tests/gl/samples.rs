@@ -1,7 +1,9 @@
 //! Several samples a pixel (sections 3.2.1 and 4.1.3, EXT_framebuffer_multisample).
 
 use crate::canvas::{canvas, draw, gl};
+use crate::depth::{draw_all, drawn};
 use luxel_gl::Context;
+use proptest::prelude::*;
 
 const FRAMEBUFFER: u32 = 0x8d40;
 const READ_FRAMEBUFFER: u32 = 0x8ca8;
@@ -157,4 +159,24 @@ fn framebuffers_of_several_samples_refuse_what_the_extension_says() {
     assert_eq!(context.get_error(), gl::INVALID_VALUE);
     context.renderbuffer_storage(RENDERBUFFER, 0, DEPTH_COMPONENT24, SIDE, SIDE);
     assert_eq!(context.check_framebuffer_status(FRAMEBUFFER), INCOMPLETE_MULTISAMPLE);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn section_4_1_6_in_each_sample_triangles_hide_one_another_in_the_order_of_calls(
+        all in prop::collection::vec(drawn(), 1..120), run in 1..64_usize, by_samples in any::<bool>(),
+    ) {
+        let outcome = |waits: bool| {
+            let (mut context, name) = space();
+            if !by_samples {
+                context.disable(MULTISAMPLE);
+            }
+            context.clear(gl::DEPTH_BUFFER_BIT);
+            draw_all(&mut context, &all, run, waits);
+            resolved(&mut context, name)
+        };
+        prop_assert!(outcome(true) == outcome(false));
+    }
 }

@@ -5,45 +5,96 @@
 //! [`Triangle`](super::setup::Triangle), number by number: edge functions are exact integers, here
 //! small enough for products of 16 bits, and the depth plane has its one formula.
 
-use super::buffer::{Plane, Tile};
-use super::rules::{self, Rules};
 use super::sample_cull::{Corners, SIZES};
 use super::tile_points::{self, SamplePixels, turned, x_of, y_of};
 
-use crate::types::{BLOCK, BLOCKS, TILE, TriangleId};
-use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i16x32, i32x16, lanes_of, prelude::*};
+use crate::types::{BLOCK, BLOCKS, Region, TILE};
+use luxel_math::{LANES, SUBPIXELS, Simd, f32x16, i16x32, i32x16, prelude::*};
+
+/// What takes the samples of small triangles. Mark its method `#[inline(always)]`.
+pub trait SmallSink<I> {
+    /// Takes one sample of each of some triangles. Two of them may be the same one.
+    fn put<S: Simd>(&mut self, samples: &SmallSamples<'_, S, I>);
+}
+
+/// A sample each of up to sixteen triangles, lane by lane.
+#[derive(Clone, Copy)]
+pub struct SmallSamples<'q, S: Simd, I> {
+    /// The triangles.
+    pub ids: &'q [I; LANES],
+    /// The lanes whose triangle covers its sample, a bit each.
+    pub covered: u32,
+    /// Depths.
+    pub z: f32x16<S>,
+    /// Which sample of the pixels.
+    pub sample: usize,
+    /// About the tile's middle.
+    pub(crate) pixels: i16x32<S>,
+}
+
+/// Where samples lie in a plane, row by row within a block and block by block, and their depths.
+///
+/// In lines of the cache, which also makes the compiler lay what finds no register into such lines, not across two.
+#[repr(align(64))]
+pub struct SmallPlaces {
+    /// Places; only those of samples that are covered lie within the plane.
+    pub places: [i32; LANES],
+    /// Depths.
+    pub z: [f32; LANES],
+}
+
+impl<S: Simd, I> SmallSamples<'_, S, I> {
+    /// Places and depths in memory.
+    #[inline(always)]
+    #[must_use]
+    pub fn places(&self) -> SmallPlaces {
+        let simd = self.z.simd;
+        let within_tile = self.pixels + tile_points::splat(simd, [TILE / 2; 2]);
+        // Whole numbers of pixels, and of blocks.
+        let blocks = within_tile >> BLOCK.ilog2();
+        let place = tile_points::dot(within_tile, tile_points::splat(simd, [1, BLOCK]))
+            + tile_points::dot(blocks, tile_points::splat(simd, BLOCK_STEPS));
+        let mut places = SmallPlaces { places: [0; LANES], z: [0.0; LANES] };
+        place.store_slice(&mut places.places);
+        self.z.store_slice(&mut places.z);
+        places
+    }
+}
+
+/// The samples of a tile.
+#[derive(Clone, Copy, Debug)]
+pub struct SampleGrid<'o> {
+    /// The tile's pixels: 64 or fewer each way.
+    pub region: Region,
+    /// Where the samples of a pixel lie.
+    pub offsets: &'o [[i32; 2]],
+}
 
 /// Triangles that wait to be drawn together.
-pub(crate) struct Queues([Queue; SIZES]);
+pub(crate) struct Queues<I>([Queue<I>; SIZES]);
 
 /// Up to sixteen triangles, each a lane.
 #[repr(C, align(64))]
-struct Queue {
+struct Queue<I> {
     corners: Corners,
-    ids: [TriangleId; LANES],
+    ids: [I; LANES],
     count: usize,
 }
 
-impl Queue {
-    const EMPTY: Self =
-        Self { corners: [[[0; 2]; LANES]; 3], ids: [TriangleId::NONE; LANES], count: 0 };
-}
-
-impl Queues {
-    pub(crate) fn new() -> Self {
-        Self([const { Queue::EMPTY }; SIZES])
+impl<I: Copy> Queues<I> {
+    /// Empty ones; `none` stands for no triangle.
+    pub(crate) fn new(none: I) -> Self {
+        Self(std::array::from_fn(|_| Queue {
+            corners: [[[0; 2]; LANES]; 3],
+            ids: [none; LANES],
+            count: 0,
+        }))
     }
 
     /// Takes a triangle, on a side that is drawn, into the queue of its size; whether that is full now
     /// and has to be drawn.
     #[inline(always)]
-    pub(crate) fn push(
-        &mut self,
-        size: usize,
-        corners: &Corners,
-        lane: usize,
-        id: TriangleId,
-    ) -> bool {
+    pub(crate) fn push(&mut self, size: usize, corners: &Corners, lane: usize, id: I) -> bool {
         let queue = &mut self.0[size];
         let place = queue.count & (LANES - 1);
         queue.corners[0][place] = corners[0][lane];
@@ -60,18 +111,23 @@ impl Queues {
         &mut self,
         simd: S,
         size: usize,
-        rules: &Rules<'_>,
-        tile: &mut Tile,
+        grid: SampleGrid<'_>,
+        sink: &mut impl SmallSink<I>,
     ) {
-        draw(simd, &mut self.0[size], rules, tile);
+        draw(simd, &mut self.0[size], grid, sink);
     }
 
     /// Draws what still waits.
     #[inline(always)]
-    pub(crate) fn finish<S: Simd>(&mut self, simd: S, rules: &Rules<'_>, tile: &mut Tile) {
+    pub(crate) fn finish<S: Simd>(
+        &mut self,
+        simd: S,
+        grid: SampleGrid<'_>,
+        sink: &mut impl SmallSink<I>,
+    ) {
         for queue in &mut self.0 {
             if queue.count > 0 {
-                draw(simd, queue, rules, tile);
+                draw(simd, queue, grid, sink);
             }
         }
     }
@@ -79,10 +135,15 @@ impl Queues {
 
 /// Draws the triangles of a queue and empties it. Compiled once a level, not into its callers.
 #[inline(never)]
-fn draw<S: Simd>(simd: S, queue: &mut Queue, rules: &Rules<'_>, tile: &mut Tile) {
+fn draw<S: Simd, I>(
+    simd: S,
+    queue: &mut Queue<I>,
+    grid: SampleGrid<'_>,
+    sink: &mut impl SmallSink<I>,
+) {
     simd.vectorize(
         #[inline(always)]
-        || draw_lanes(simd, queue, rules, tile),
+        || draw_lanes(simd, queue, grid, sink),
     );
     queue.count = 0;
 }
@@ -124,7 +185,12 @@ impl<S: Simd> Edges<S> {
 }
 
 #[inline(always)]
-fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Tile) {
+fn draw_lanes<S: Simd, I>(
+    simd: S,
+    queue: &Queue<I>,
+    grid: SampleGrid<'_>,
+    sink: &mut impl SmallSink<I>,
+) {
     let [a, b, c] = &queue.corners;
     let (a, az) = tile_points::with_depths(simd, a);
     let (b, bz) = tile_points::with_depths(simd, b);
@@ -156,8 +222,8 @@ fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Til
     // Without area, nothing is covered.
     let used = !area.simd_eq(0).to_bitmask() as u32 & ((1 << queue.count) - 1);
     let (right, down) = (tile_points::splat(simd, [1, 0]), tile_points::splat(simd, [0, 1]));
-    for (sample, &offset) in rules.offsets.iter().enumerate() {
-        let SamplePixels { first, last } = SamplePixels::new(low, high, offset, tile.region);
+    for (sample, &offset) in grid.offsets.iter().enumerate() {
+        let SamplePixels { first, last } = SamplePixels::new(low, high, offset, grid.region);
         let count = last - first;
         let mut rows = used & !tile_points::negative(count);
         let (columns, mut rows_left) = (x_of(count), y_of(count));
@@ -180,7 +246,8 @@ fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Til
                 if covered != 0 {
                     let z = dx * dz_dx + az + dy * dz_dy;
                     let z = z.maximum(low_z).minimum(high_z);
-                    put(queue, covered, pixels, z, rules, tile, sample);
+                    let ids = &queue.ids;
+                    sink.put(&SmallSamples { ids, covered, z, sample, pixels });
                 }
                 columns_left -= 1;
                 inside &= !columns_left.simd_lt(0).to_bitmask() as u32;
@@ -204,104 +271,6 @@ fn draw_lanes<S: Simd>(simd: S, queue: &Queue, rules: &Rules<'_>, tile: &mut Til
     }
 }
 
-/// Sixteen values in a line of the cache. What lies in one also makes the compiler lay what finds no
-/// register into such lines, not across two.
-#[repr(align(64))]
-struct Line<T>([T; LANES]);
-
-/// Puts one sample of each of some triangles where it wins. `pixels` are about the tile's middle.
-#[inline(always)]
-fn put<S: Simd>(
-    queue: &Queue,
-    covered: u32,
-    pixels: i16x32<S>,
-    z: f32x16<S>,
-    rules: &Rules<'_>,
-    tile: &mut Tile,
-    sample: usize,
-) {
-    // Row by row within a block, and block by block: whole numbers of pixels, and of blocks.
-    let within_tile = pixels + tile_points::splat(z.simd, [TILE / 2; 2]);
-    let blocks = within_tile >> BLOCK.ilog2();
-    let place = tile_points::dot(within_tile, tile_points::splat(z.simd, [1, BLOCK]))
-        + tile_points::dot(blocks, tile_points::splat(z.simd, BLOCK_STEPS));
-    let (mut places, mut depths) = (Line([0; LANES]), Line([0.0; LANES]));
-    place.store_slice(&mut places.0);
-    z.store_slice(&mut depths.0);
-    let (Line(places), Line(depths)) = (&places, &depths);
-    let mut left = covered;
-    if rules.behind.is_none() && rules.holes.is_none() {
-        // Nearly always. Only of equally near ones more is asked.
-        let mut rest = covered;
-        left = 0;
-        let Plane { depth, ids } = &mut tile.planes[sample];
-        let (depth, ids) = (depth.as_flattened_mut(), ids.as_flattened_mut());
-        while rest != 0 {
-            let number = rest.trailing_zeros() as usize & (LANES - 1);
-            rest &= rest - 1;
-            let place = places[number] as usize & (SAMPLES - 1);
-            let (z, before) = (depths[number], depth[place]);
-            if before < z {
-                depth[place] = z;
-                ids[place] = queue.ids[number].0;
-            } else if before == z {
-                left |= 1 << number;
-            }
-        }
-        if left == 0 {
-            return;
-        }
-    }
-    put_rest(queue, left, pixels, places, depths, rules, tile, sample);
-}
-
-/// Puts those of which more has to be asked: a function of its own, as it is rarely called.
-#[inline(never)]
-#[expect(clippy::too_many_arguments, reason = "the state of a loop, which has one caller")]
-fn put_rest<S: Simd>(
-    queue: &Queue,
-    mut left: u32,
-    pixels: i16x32<S>,
-    places: &[i32; LANES],
-    depths: &[f32; LANES],
-    rules: &Rules<'_>,
-    tile: &mut Tile,
-    sample: usize,
-) {
-    let place = |number: usize| {
-        let place = places[number] as usize;
-        (place / LANES, place % LANES)
-    };
-    if let Some(holes) = rules.holes {
-        for number in lanes_of(left) {
-            let id = queue.ids[number];
-            let wins = rules::wins(id, depths[number], place(number), rules, tile, sample);
-            left &= !(u32::from(!wins) << number);
-        }
-        if left != 0 {
-            let [offset_x, offset_y] = rules.offsets[sample];
-            let [x, y] = tile_points::middle_of(tile.region);
-            left &= !pixels.simd.vectorize(
-                #[inline(always)]
-                || {
-                    let across = (x_of(pixels) + x) * SUBPIXELS + offset_x;
-                    let down = (y_of(pixels) + y) * SUBPIXELS + offset_y;
-                    rules::ask(holes, queue.ids, [across, down], left)
-                },
-            );
-        }
-    }
-    // Two of them may want the same sample.
-    for number in lanes_of(left) {
-        let (id, z) = (queue.ids[number], depths[number]);
-        if rules::wins(id, z, place(number), rules, tile, sample) {
-            rules::put(id, z, place(number), tile, sample);
-        }
-    }
-}
-
 /// How much farther the first place of the next block to the right, and of the next one below, is than
 /// steps from pixel to pixel lead.
 const BLOCK_STEPS: [i32; 2] = [LANES as i32 - BLOCK, BLOCKS * LANES as i32 - BLOCK * BLOCK];
-/// Samples of a plane.
-const SAMPLES: usize = (TILE * TILE) as usize;

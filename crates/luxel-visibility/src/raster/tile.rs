@@ -6,7 +6,8 @@ use super::large_clusters::LargeTriangle;
 use super::rules::Rules;
 use super::sample_cull::{SIZES, TriangleGroup};
 use super::setup::Triangle;
-use super::small_triangles::Queues;
+use super::small_samples::BufferSink;
+use super::small_triangles::{Queues, SampleGrid};
 use super::tile_points;
 use super::transform::{ClusterVertices, transform_cluster};
 use super::triangles::draw_triangle;
@@ -47,7 +48,7 @@ pub(crate) fn draw<'f, S: Simd>(
     let mut transient = TransientBlock::new();
     let mut vertices = ClusterVertices::new();
     // Small triangles wait here across clusters, as long as the same rules hold for them.
-    let mut queues = Queues::new();
+    let mut queues = Queues::new(TriangleId::NONE);
     let mut rules = rules_for(false);
     let middle = tile_points::middle_of(tile.region);
     for visible in clusters {
@@ -62,7 +63,7 @@ pub(crate) fn draw<'f, S: Simd>(
         let part = instance.parts[instance.clusters.headers[cluster].part as usize];
         let has_holes = part.coverage != Coverage::Opaque;
         if has_holes != rules.holes.is_some() {
-            queues.finish(simd, &rules, tile);
+            finish(simd, &mut queues, &rules, tile);
             rules = rules_for(has_holes);
         }
         let transform = instances.window_from_local(number);
@@ -87,7 +88,14 @@ pub(crate) fn draw<'f, S: Simd>(
             }
         }
     }
-    queues.finish(simd, &rules, tile);
+    finish(simd, &mut queues, &rules, tile);
+}
+
+/// Draws the small triangles that still wait.
+#[inline(always)]
+fn finish<S: Simd>(simd: S, queues: &mut Queues<TriangleId>, rules: &Rules<'_>, tile: &mut Tile) {
+    let grid = SampleGrid { region: tile.region, offsets: rules.offsets };
+    queues.finish(simd, grid, &mut BufferSink { rules, tile });
 }
 
 /// The three corner numbers of a triangle's word.
@@ -111,7 +119,7 @@ fn draw_cluster<S: Simd>(
     vertices: &ClusterVertices,
     cluster: &DrawnCluster<'_>,
     rules: &Rules<'_>,
-    queues: &mut Queues,
+    queues: &mut Queues<TriangleId>,
     tile: &mut Tile,
 ) -> bool {
     let &DrawnCluster { number: cluster, ref block, cull, ref ranks } = cluster;
@@ -140,7 +148,8 @@ fn draw_cluster<S: Simd>(
             if size < SIZES && rank == 0 {
                 waits = true;
                 if queues.push(size, &group.corners, lane, id) {
-                    queues.draw(simd, size, rules, tile);
+                    let grid = SampleGrid { region: tile.region, offsets: rules.offsets };
+                    queues.draw(simd, size, grid, &mut BufferSink { rules, tile });
                 }
                 continue;
             }

@@ -109,3 +109,16 @@ pub(crate) fn with_depths<S: Simd>(simd: S, lanes: &PointsWith) -> (i16x32<S>, f
         simd.deinterleave_u32x16(u32x16::from_slice(simd, first), u32x16::from_slice(simd, second));
     (points.bitcast(), depths.bitcast())
 }
+
+/// Keeps points, and depths beside them.
+#[inline(always)]
+pub(crate) fn store_with_depths<S: Simd>(
+    points: u32x16<S>,
+    depths: f32x16<S>,
+    lanes: &mut PointsWith,
+) {
+    let (first, second) = lanes.as_flattened_mut().split_at_mut(luxel_math::LANES);
+    let (lower, upper) = points.simd.interleave_u32x16(points, depths.bitcast());
+    lower.store_slice(first);
+    upper.store_slice(second);
+}

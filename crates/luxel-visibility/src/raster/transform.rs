@@ -85,10 +85,7 @@ fn transform_groups<S: Simd>(
         window_x.store_slice(out_x);
         window_y.store_slice(out_y);
         let about_middle = tile_points::about(window_x, window_y, middle);
-        let (first, second) = points.as_flattened_mut().split_at_mut(LANES);
-        let (lower, upper) = simd.interleave_u32x16(about_middle, z.bitcast());
-        lower.store_slice(first);
-        upper.store_slice(second);
+        tile_points::store_with_depths(about_middle, z, points);
         let about_middle: i16x32<S> = about_middle.bitcast();
         (low, high) = (low.min(about_middle), high.max(about_middle));
         nearest = nearest.maximum(z);
