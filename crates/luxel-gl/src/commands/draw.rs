@@ -93,7 +93,7 @@ impl Context {
                 let spare = self.log.spare();
                 let parts = parts(mode, elements.map_or(count, <[u32]>::len));
                 let runs = luxel_parallel::map(parts, PIECES_RUN, &|run| {
-                    let mut builder = PieceBuilder::new(&state, &batch, spare.pieces());
+                    let mut builder = PieceBuilder::new(&state, &batch, spare.pieces(), level);
                     assemble_parts(mode, count, elements, run, &mut builder);
                     builder.finish()
                 });

@@ -12,6 +12,11 @@ pub(crate) trait Visitor {
     fn line(&mut self, ends: [u32; 2], begins: bool);
     /// A polygon with its provoking vertex; whether its vertices have edge flags.
     fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool);
+    /// A polygon of three corners.
+    #[inline]
+    fn triangle(&mut self, corners: [u32; 3], provoking: u32, flagged: bool) {
+        self.polygon(&corners, provoking, flagged);
+    }
 }
 
 /// How many parts the primitives of `count` vertices can be given in: each is a primitive, or all of them where one goes
@@ -78,6 +83,12 @@ impl<V: Visitor> Visitor for Indexed<'_, V> {
         self.corners.extend(corners.iter().map(|&corner| self.elements[corner as usize]));
         self.visitor.polygon(&self.corners, self.elements[provoking as usize], flagged);
     }
+
+    #[inline]
+    fn triangle(&mut self, corners: [u32; 3], provoking: u32, flagged: bool) {
+        let corners = corners.map(|corner| self.elements[corner as usize]);
+        self.visitor.triangle(corners, self.elements[provoking as usize], flagged);
+    }
 }
 
 /// Gives some parts of the primitives of `count` vertices; those that are incomplete are left out.
@@ -102,7 +113,7 @@ fn assemble_in_order(mode: u32, count: usize, parts: Range<usize>, visitor: &mut
         }
         gl::TRIANGLES => {
             for first in parts.map(|part| 3 * part) {
-                visitor.polygon(&[first, first + 1, first + 2], first + 2, true);
+                visitor.triangle([first, first + 1, first + 2], first + 2, true);
             }
         }
         gl::TRIANGLE_STRIP => {
@@ -110,12 +121,12 @@ fn assemble_in_order(mode: u32, count: usize, parts: Range<usize>, visitor: &mut
                 // Every second one is turned, so that all face the same way.
                 let turn = first & 1;
                 let corners = [first + turn, first + 1 - turn, first + 2];
-                visitor.polygon(&corners, first + 2, false);
+                visitor.triangle(corners, first + 2, false);
             }
         }
         gl::TRIANGLE_FAN => {
             for second in parts.map(|part| part + 1) {
-                visitor.polygon(&[0, second, second + 1], second + 1, false);
+                visitor.triangle([0, second, second + 1], second + 1, false);
             }
         }
         gl::QUADS => {

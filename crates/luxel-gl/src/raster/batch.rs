@@ -86,6 +86,13 @@ impl Batch {
         Pieces::of_raster(self, Shape::Image { depth })
     }
 
+    /// What the least and the greatest coordinates of a triangle are moved by, in steps of 1/256 pixel, so that its samples
+    /// lie in the pixels from one to the other: with one sample those whose centres lie in its box.
+    pub(super) fn reach_of_centres(&self) -> [i32; 2] {
+        let centre = SUBPIXELS / 2;
+        if self.pipeline.multisample.is_some() { [0, 0] } else { [centre - 1, -centre] }
+    }
+
     /// The pixels that a shape may reach: left, bottom, right, top, the last two beyond.
     pub(super) fn bounds(&self, shape: &Shape) -> [i32; 4] {
         let (low, high, region) = match *shape {

@@ -6,10 +6,11 @@ use super::draw_state::DrawState;
 use super::pieces::{Pieces, Shade};
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
 use super::shape::Shape;
+use super::triangle_group::{TriangleGroup, WaitingTriangle};
 use crate::enums as gl;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon};
 use crate::vertex::codes;
-use luxel_math::SUBPIXELS;
+use luxel_math::{Level, SUBPIXELS, dispatch_long, lanes_of};
 use luxel_visibility::{CullFaces, GUARD_BAND, Triangle, WindowVertex};
 
 /// Primitives that one thread makes pieces of at a time.
@@ -23,15 +24,36 @@ pub(crate) struct PieceBuilder<'a> {
     /// The counter of line stipples (section 3.4.2).
     pub(super) counter: u32,
     polygon: Vec<ClipCorner>,
+    /// Filled triangles that wait: pieces are made in the order of primitives.
+    waiting: TriangleGroup,
+    level: Level,
+    /// Whether polygons are filled, and not smooth.
+    is_filled: bool,
 }
 
 impl<'a> PieceBuilder<'a> {
     /// Appends to `pieces`.
-    pub(crate) fn new(state: &'a DrawState, batch: &'a Batch, pieces: Pieces) -> Self {
-        Self { state, batch, pieces, counter: 0, polygon: Vec::new() }
+    pub(crate) fn new(
+        state: &'a DrawState,
+        batch: &'a Batch,
+        pieces: Pieces,
+        level: Level,
+    ) -> Self {
+        let is_smooth = state.smooth[2] && batch.pipeline.multisample.is_none();
+        Self {
+            state,
+            batch,
+            pieces,
+            counter: 0,
+            polygon: Vec::new(),
+            waiting: TriangleGroup::default(),
+            level,
+            is_filled: state.modes == [gl::FILL; 2] && !is_smooth,
+        }
     }
 
-    pub(crate) fn finish(self) -> Pieces {
+    pub(crate) fn finish(mut self) -> Pieces {
+        self.make_waiting();
         self.pieces
     }
 
@@ -96,16 +118,37 @@ impl<'a> PieceBuilder<'a> {
         window_of(&self.state.scale, corner.clip)
     }
 
-    fn triangle(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
-        if self.is_out_of_sight(corners) {
+    /// A filled triangle; its side, if that is known.
+    #[inline]
+    fn fill(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
+        if self.waiting.push(WaitingTriangle { corners, flat, facing }) {
+            self.make_waiting();
+        }
+    }
+
+    /// Makes pieces of the triangles that wait.
+    #[inline(never)]
+    fn make_waiting(&mut self) {
+        if self.waiting.is_empty() {
             return;
         }
-        let any = corners.iter().fold(0, |any, corner| any | self.codes(*corner));
-        let outside = any & codes::OUTSIDE & !codes::SIDES != 0;
-        if !outside && any & codes::NOT_HELD == 0 {
-            self.whole(corners, flat, facing);
-            return;
+        let (state, batch) = (self.state, self.batch);
+        let placed = dispatch_long!(self.level, simd => self.waiting.placed(simd, state, batch));
+        for lane in lanes_of(placed.drawn) {
+            let WaitingTriangle { corners, flat, facing } = self.waiting.triangle(lane);
+            if placed.clipped >> lane & 1 == 1 {
+                self.clip_filled(corners, flat, facing);
+                continue;
+            }
+            let side = self.state.color_side(placed.side(lane)) as u8;
+            let offset = self.offset_of_whole(corners);
+            self.pieces.push_triangle(placed.tiles(lane), Shade { corners, flat, side }, offset);
         }
+        self.waiting.clear();
+    }
+
+    /// A filled triangle that planes cut.
+    fn clip_filled(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
         let placed = self.clipped(corners);
         for pair in placed.get(1..).unwrap_or_default().windows(2) {
             self.piece([placed[0], pair[0], pair[1]], corners, flat, facing);
@@ -133,42 +176,17 @@ impl<'a> PieceBuilder<'a> {
         placed
     }
 
-    /// A filled triangle as its corners lie in the window.
+    /// What the depths of a filled triangle are moved by, as its corners lie in the window.
     #[inline(always)]
-    fn whole(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
-        let window = corners.map(|corner| self.window(corner));
-        let area = area(window);
-        let side = facing.unwrap_or_else(|| self.state.side(area));
-        if area == 0.0 || self.state.is_culled(side) {
-            return;
-        }
-        let shade = Shade { corners, flat, side: self.state.color_side(side) as u8 };
-        let offset = self.state.offsets[2].map_or(0.0, |[factor, units]| {
+    fn offset_of_whole(&self, corners: [u32; 3]) -> f32 {
+        self.state.offsets[2].map_or(0.0, |[factor, units]| {
+            let window = corners.map(|corner| self.window(corner));
             let triangle = Triangle::new(window, CullFaces::None);
             triangle.map_or(0.0, |of| {
                 let by = Some([factor, units, slope_of(&of)]);
                 depth_offset(by, self.state.scale.kind, of.depth.high)
             })
-        });
-        let bounds = self.pixels_of(window);
-        self.pieces.push_triangle(bounds, shade, offset);
-    }
-
-    /// The pixels in a triangle's box: left, bottom, right, top, the last two beyond. With one sample those whose centres
-    /// lie in it.
-    #[inline(always)]
-    fn pixels_of(&self, [a, b, c]: [WindowVertex; 3]) -> [i32; 4] {
-        let region = self.batch.polygon_region;
-        let centre = SUBPIXELS / 2;
-        let (low, high) = if self.has_samples() { (0, 0) } else { (centre - 1, -centre) };
-        let range = |axis: usize, [p, q, r]: [i32; 3]| {
-            let first = (p.min(q).min(r) + low).div_euclid(SUBPIXELS);
-            let last = (p.max(q).max(r) + high).div_euclid(SUBPIXELS);
-            [first.max(region[axis]), (last + 1).min(region[axis + 2])]
-        };
-        let [left, right] = range(0, [a.x, b.x, c.x]);
-        let [bottom, top] = range(1, [a.y, b.y, c.y]);
-        [left, bottom, right, top]
+        })
     }
 
     /// A part of a filled triangle in the window.
@@ -210,10 +228,12 @@ impl<'a> PieceBuilder<'a> {
 
 impl Visitor for PieceBuilder<'_> {
     fn point(&mut self, vertex: u32) {
+        self.make_waiting();
         self.push_point(vertex, (None, 0), None);
     }
 
     fn line(&mut self, ends: [u32; 2], begins: bool) {
+        self.make_waiting();
         let flat = self.state.flat.then_some(ends[1]);
         self.push_line(ends, (flat, 0), begins, None);
     }
@@ -224,25 +244,32 @@ impl Visitor for PieceBuilder<'_> {
         if state.culled == [true; 2] {
             return;
         }
-        let is_smooth = state.smooth[2] && !self.has_samples();
-        let is_filled = state.modes == [gl::FILL; 2] && !is_smooth;
-        if let (true, &[a, b, c]) = (is_filled, corners) {
-            self.triangle([a, b, c], flat, None);
-            return;
-        }
         let side = state.side(polygon_area(&self.batch.vertices, &state.scale, corners));
         if state.is_culled(side) {
             return;
         }
-        if state.mode(side) != gl::FILL {
-            self.outline(corners, (flat, flagged), provoking, side);
-            return;
-        }
-        if is_smooth && self.smooth_polygon(corners, (flat, side), provoking) {
-            return;
+        if !self.is_filled {
+            self.make_waiting();
+            if state.mode(side) != gl::FILL {
+                self.outline(corners, (flat, flagged), provoking, side);
+                return;
+            }
+            let is_smooth = state.smooth[2] && !self.has_samples();
+            if is_smooth && self.smooth_polygon(corners, (flat, side), provoking) {
+                return;
+            }
         }
         for fan in state.fans(&self.batch.vertices, corners, provoking) {
-            self.triangle(fan.map(|at| corners[at]), flat, Some(side));
+            self.fill(fan.map(|at| corners[at]), flat, Some(side));
+        }
+    }
+
+    #[inline]
+    fn triangle(&mut self, corners: [u32; 3], provoking: u32, flagged: bool) {
+        if self.is_filled {
+            self.fill(corners, self.state.flat.then_some(provoking), None);
+        } else {
+            self.polygon(&corners, provoking, flagged);
         }
     }
 }

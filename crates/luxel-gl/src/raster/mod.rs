@@ -42,6 +42,7 @@ mod stencil;
 mod strokes;
 mod tile;
 mod tile_samples;
+mod triangle_group;
 
 pub(crate) use batch::Batch;
 pub(crate) use bitmap::Bitmap;

@@ -86,13 +86,10 @@ impl Pieces {
         }
     }
 
-    /// Appends the triangle of a primitive's corners, whose samples lie in some pixels: left, bottom, right, top, the last
-    /// two beyond.
+    /// Appends the triangle of a primitive's corners, which reaches some tiles: the first and the last column and row.
     #[inline(always)]
-    pub(super) fn push_triangle(&mut self, bounds: [i32; 4], shade: Shade, offset: f32) {
-        if let Some(tiles) = tiles(bounds) {
-            self.list.push(Piece { shade, offset, shape: OF_CORNERS, tiles });
-        }
+    pub(super) fn push_triangle(&mut self, tiles: [u8; 4], shade: Shade, offset: f32) {
+        self.list.push(Piece { shade, offset, shape: OF_CORNERS, tiles });
     }
 
     /// Keeps an outline: its number.

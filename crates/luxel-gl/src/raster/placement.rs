@@ -3,7 +3,7 @@
 use crate::depth::DepthKind;
 use crate::primitive::{ClipCorner, plane_distances};
 use crate::vertex::{Processed, WindowScale, codes};
-use luxel_math::SUBPIXELS;
+use luxel_math::{F64Lanes, SUBPIXELS};
 use luxel_visibility::{GUARD_BAND, Triangle, WindowVertex};
 
 /// A plane of the clip volume or of the user.
@@ -37,7 +37,13 @@ impl Plane {
 /// Twice the area of a triangle in the window, positive where it runs counter-clockwise.
 pub(super) fn area([a, b, c]: [WindowVertex; 3]) -> f64 {
     let d = |p: i32, q: i32| f64::from(p) - f64::from(q);
-    d(b.x, a.x) * d(c.y, a.y) - d(c.x, a.x) * d(b.y, a.y)
+    spanned_area([d(b.x, a.x), d(b.y, a.y)], [d(c.x, a.x), d(c.y, a.y)])
+}
+
+/// Twice the area of a triangle by the ways from its first corner to the others: ab x ac.
+#[inline(always)]
+pub(super) fn spanned_area<N: F64Lanes>([ab_x, ab_y]: [N; 2], [ac_x, ac_y]: [N; 2]) -> N {
+    ab_x * ac_y - ac_x * ab_y
 }
 
 /// The area of a polygon in the window, doubled: positive where it runs counter-clockwise. Of one that reaches behind the
