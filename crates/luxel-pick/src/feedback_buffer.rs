@@ -170,6 +170,31 @@ impl FeedbackBuffer {
         self.overflowed |= fits < values.len();
     }
 
+    /// Appends all that another buffer of the same type holds, which has at least as much room: as if it had been put
+    /// here.
+    pub fn append(&mut self, other: &Self) {
+        self.write(&other.values);
+        self.overflowed |= other.overflowed;
+    }
+
+    /// Forgets all items, but keeps the memory.
+    pub fn clear(&mut self) {
+        self.values.clear();
+        self.overflowed = false;
+    }
+
+    /// For how many values there is memory.
+    #[must_use]
+    pub fn capacity(&self) -> usize {
+        self.values.capacity()
+    }
+
+    /// The values that had room, without a copy.
+    #[must_use]
+    pub fn into_values(self) -> Vec<f32> {
+        self.values
+    }
+
     /// The values that had room.
     #[must_use]
     pub fn values(&self) -> &[f32] {

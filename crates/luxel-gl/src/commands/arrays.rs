@@ -429,8 +429,8 @@ impl Context {
             return Ok(ArrayDraw { mode, vertices, elements: None });
         }
         let vertices = self.fetch(Wanted::Range { first, count: span }, memory)?;
-        for element in &mut elements {
-            *element -= first as u32;
+        if first > 0 {
+            elements.iter_mut().for_each(|element| *element -= first as u32);
         }
         Ok(ArrayDraw { mode, vertices, elements: Some(elements) })
     }

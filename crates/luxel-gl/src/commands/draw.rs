@@ -78,9 +78,15 @@ impl Context {
                     &mut processed,
                 );
                 let window = self.state.window_transform();
-                let mut visitor =
-                    FeedbackVisitor::new(&state, &processed, window, &mut self.feedback);
-                assemble(mode, count, elements, &mut visitor);
+                let parts = parts(mode, elements.map_or(count, <[u32]>::len));
+                let feedback = &self.feedback;
+                let runs = luxel_parallel::map(parts, PIECES_RUN, &|run| {
+                    let part = feedback.part();
+                    let mut visitor = FeedbackVisitor::new(&state, &processed, window, part);
+                    assemble_parts(mode, count, elements, run, &mut visitor);
+                    Some(visitor.finish())
+                });
+                self.feedback.append(runs.into_iter().flatten());
                 self.log.spare().put_vertices(processed);
             }
             _ => {

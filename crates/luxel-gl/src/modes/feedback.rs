@@ -2,6 +2,12 @@
 
 use crate::enums as gl;
 use luxel_pick::{Feedback, FeedbackBuffer, FeedbackType};
+use std::sync::{Mutex, PoisonError};
+
+/// Buffers of parts that are kept for the next ones, which is memory that the system doesn't have to clear again; and how
+/// many values these have room for.
+const MOST_SPARE: usize = 64;
+const LARGEST_SPARE: usize = 1 << 17;
 
 /// The buffer that a program has given, and what is in it.
 #[derive(Debug)]
@@ -9,16 +15,21 @@ pub(crate) struct FeedbackMode {
     room: Option<usize>,
     of: u32,
     buffer: Option<FeedbackBuffer>,
+    /// Of the same room and type.
+    spare: Mutex<Vec<FeedbackBuffer>>,
 }
 
 impl Default for FeedbackMode {
     fn default() -> Self {
-        Self { room: None, of: gl::_2D, buffer: None }
+        Self { room: None, of: gl::_2D, buffer: None, spare: Mutex::default() }
     }
 }
 
 impl FeedbackMode {
     pub(crate) fn set_buffer(&mut self, room: usize, of: u32) {
+        if (self.room, self.of) != (Some(room), of) {
+            self.spare.get_mut().unwrap_or_else(PoisonError::into_inner).clear();
+        }
         self.room = Some(room);
         self.of = of;
     }
@@ -38,21 +49,47 @@ impl FeedbackMode {
     }
 
     pub(crate) fn start(&mut self) {
-        let of = match self.of {
+        self.buffer = Some(self.empty());
+    }
+
+    fn empty(&self) -> FeedbackBuffer {
+        FeedbackBuffer::from_bottom(self.type_of_values(), self.room())
+    }
+
+    fn type_of_values(&self) -> FeedbackType {
+        match self.of {
             gl::_2D => FeedbackType::TwoD,
             gl::_3D => FeedbackType::ThreeD,
             gl::_3D_COLOR => FeedbackType::ThreeDColor,
             gl::_3D_COLOR_TEXTURE => FeedbackType::ThreeDColorTexture,
             _ => FeedbackType::FourDColorTexture,
-        };
-        self.buffer = Some(FeedbackBuffer::from_bottom(of, self.room()));
+        }
     }
 
     /// Ends the mode: the number of values, -1 if not all had room, and those that had.
     pub(crate) fn finish(&mut self) -> (i32, Vec<f32>) {
         let Some(buffer) = self.buffer.take() else { return (0, Vec::new()) };
         let count = i32::try_from(buffer.count()).unwrap_or(i32::MAX);
-        (count, buffer.values().to_vec())
+        (count, buffer.into_values())
+    }
+
+    /// An empty buffer like that of the mode, for a part of what comes next; of any thread.
+    pub(crate) fn part(&self) -> FeedbackBuffer {
+        let spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        spare.unwrap_or_else(|| self.empty())
+    }
+
+    /// Appends parts in order.
+    pub(crate) fn append(&mut self, parts: impl Iterator<Item = FeedbackBuffer>) {
+        let Some(buffer) = &mut self.buffer else { return };
+        let spare = self.spare.get_mut().unwrap_or_else(PoisonError::into_inner);
+        for mut part in parts {
+            buffer.append(&part);
+            if spare.len() < MOST_SPARE && part.capacity() <= LARGEST_SPARE {
+                part.clear();
+                spare.push(part);
+            }
+        }
     }
 
     pub(crate) fn put(&mut self, item: &Feedback<'_>) {

@@ -109,6 +109,18 @@ impl<'a> HitVisitor<'a> {
             self.selection.hit([a.min(b), a.max(b)]);
         }
     }
+
+    /// A polygon that may reach into the clip volume.
+    #[inline(never)]
+    fn filled(&mut self, corners: &[u32]) {
+        let area = polygon_area(self.vertices, self.state.scale(), corners);
+        if self.state.is_culled(self.state.side(area)) {
+            return;
+        }
+        for pair in corners[1..].windows(2) {
+            self.primitive(&[corners[0], pair[0], pair[1]]);
+        }
+    }
 }
 
 impl Visitor for HitVisitor<'_> {
@@ -122,18 +134,12 @@ impl Visitor for HitVisitor<'_> {
         self.primitive(&ends);
     }
 
+    #[inline]
     fn polygon(&mut self, corners: &[u32], _: u32, _: bool) {
         self.change_names(corners[0]);
         let (all, _) = self.codes(corners);
-        if all & codes::OUTSIDE != 0 {
-            return;
-        }
-        let area = polygon_area(self.vertices, self.state.scale(), corners);
-        if self.state.is_culled(self.state.side(area)) {
-            return;
-        }
-        for pair in corners[1..].windows(2) {
-            self.primitive(&[corners[0], pair[0], pair[1]]);
+        if all & codes::OUTSIDE == 0 {
+            self.filled(corners);
         }
     }
 }

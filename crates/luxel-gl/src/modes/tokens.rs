@@ -1,20 +1,22 @@
 //! Primitives as tokens of the feedback buffer (OpenGL 1.5, section 5.3): after lighting, culling and clipping, before
 //! rasterization.
 
-use super::FeedbackMode;
 use crate::enums as gl;
 use crate::primitive::{Cut, Visitor, clip_polygon, clip_segment};
 use crate::raster::{DrawState, polygon_area};
 use crate::state::window::WindowTransform;
 use crate::vertex::{Processed, codes};
-use luxel_pick::{Feedback, FeedbackVertex};
+use luxel_pick::{Feedback, FeedbackBuffer, FeedbackVertex};
 
 /// Writes primitives to the buffer.
 pub(crate) struct FeedbackVisitor<'a> {
     state: &'a DrawState,
     vertices: &'a Processed,
     window: WindowTransform,
-    feedback: &'a mut FeedbackMode,
+    buffer: FeedbackBuffer,
+    /// What clipping leaves of a polygon, and where that lies in the window.
+    polygon: Vec<Corner>,
+    placed: Vec<FeedbackVertex>,
 }
 
 /// A vertex that is being clipped, with all that the buffer takes of it.
@@ -62,9 +64,14 @@ impl<'a> FeedbackVisitor<'a> {
         state: &'a DrawState,
         vertices: &'a Processed,
         window: WindowTransform,
-        feedback: &'a mut FeedbackMode,
+        buffer: FeedbackBuffer,
     ) -> Self {
-        Self { state, vertices, window, feedback }
+        Self { state, vertices, window, buffer, polygon: Vec::new(), placed: Vec::new() }
+    }
+
+    /// The buffer, with what has been written to it.
+    pub(crate) fn finish(self) -> FeedbackBuffer {
+        self.buffer
     }
 
     fn code(&self, vertex: u32) -> u16 {
@@ -82,17 +89,25 @@ impl<'a> FeedbackVisitor<'a> {
         }
     }
 
+    /// What clipping has left of a vertex.
     fn placed(&self, corner: &Corner) -> FeedbackVertex {
-        let [x, y, depth] = self.window.place(corner.clip);
         let narrow = |values: [f64; 4]| values.map(|value| value as f32);
-        FeedbackVertex {
-            x,
-            y,
-            depth,
-            w: corner.clip[3],
-            color: narrow(corner.color),
-            texture: narrow(corner.texture),
-        }
+        self.in_window(corner.clip, narrow(corner.color), narrow(corner.texture))
+    }
+
+    /// A vertex that isn't clipped.
+    #[inline]
+    fn whole(&self, vertex: u32, color_of: u32, side: usize) -> FeedbackVertex {
+        let at = vertex as usize;
+        let color = self.vertices.color(side, color_of as usize);
+        let clip = self.vertices.clip[at].map(f64::from);
+        self.in_window(clip, color, self.vertices.tex_coords[0][at])
+    }
+
+    #[inline]
+    fn in_window(&self, clip: [f64; 4], color: [f32; 4], texture: [f32; 4]) -> FeedbackVertex {
+        let [x, y, depth] = self.window.place(clip);
+        FeedbackVertex { x, y, depth, w: clip[3], color, texture }
     }
 
     /// The planes that some vertices lie beyond.
@@ -114,8 +129,8 @@ impl<'a> FeedbackVisitor<'a> {
 
     fn put_point(&mut self, vertex: u32, color_of: u32, side: usize) {
         if self.code(vertex) & (codes::OUTSIDE | codes::NOT_FINITE) == 0 {
-            let placed = self.placed(&self.corner(vertex, color_of, side));
-            self.feedback.put(&Feedback::Point(&placed));
+            let placed = self.whole(vertex, color_of, side);
+            self.buffer.put(&Feedback::Point(&placed));
         }
     }
 
@@ -128,11 +143,36 @@ impl<'a> FeedbackVisitor<'a> {
         let planes = self.planes(a | b);
         let Some(left) = clip_segment(corners, &planes, Plane::distance) else { return };
         let ends = left.map(|corner| self.placed(&corner));
-        self.feedback.put(&if begins {
+        self.buffer.put(&if begins {
             Feedback::Line(&ends)
         } else {
             Feedback::ContinuedLine(&ends)
         });
+    }
+
+    /// A filled polygon in the colours of vertices on a side; what any of its corners lies beyond.
+    fn fill(&mut self, corners: &[u32], any: u16, color_of: impl Fn(u32) -> (u32, usize)) {
+        let (mut placed, mut polygon) =
+            (std::mem::take(&mut self.placed), std::mem::take(&mut self.polygon));
+        placed.clear();
+        if any & codes::OUTSIDE == 0 {
+            placed.extend(corners.iter().map(|&vertex| {
+                let (color_of, side) = color_of(vertex);
+                self.whole(vertex, color_of, side)
+            }));
+        } else {
+            polygon.clear();
+            polygon.extend(corners.iter().map(|&vertex| {
+                let (color_of, side) = color_of(vertex);
+                self.corner(vertex, color_of, side)
+            }));
+            clip_polygon(&mut polygon, &self.planes(any), Plane::distance);
+            placed.extend(polygon.iter().map(|corner| self.placed(corner)));
+        }
+        if placed.len() >= 3 {
+            self.buffer.put(&Feedback::Polygon(&placed));
+        }
+        (self.placed, self.polygon) = (placed, polygon);
     }
 }
 
@@ -161,15 +201,7 @@ impl Visitor for FeedbackVisitor<'_> {
         let color_of = |vertex: u32| if flat { provoking } else { vertex };
         let mode = self.state.mode(facing);
         if mode == gl::FILL {
-            let planes = self.planes(any);
-            let mut polygon: Vec<Corner> =
-                corners.iter().map(|&vertex| self.corner(vertex, color_of(vertex), side)).collect();
-            clip_polygon(&mut polygon, &planes, Plane::distance);
-            if polygon.len() >= 3 {
-                let placed: Vec<FeedbackVertex> =
-                    polygon.iter().map(|corner| self.placed(corner)).collect();
-                self.feedback.put(&Feedback::Polygon(&placed));
-            }
+            self.fill(corners, any, |vertex| (color_of(vertex), side));
             return;
         }
         let mut begins = true;

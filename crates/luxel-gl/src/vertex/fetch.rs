@@ -2,7 +2,7 @@
 
 use crate::convert;
 use crate::enums as gl;
-use crate::state::arrays::{VertexArray, type_bytes};
+use crate::state::arrays::VertexArray;
 
 /// The program's memory, which the C side lends for the length of a call.
 pub trait ClientMemory {
@@ -62,9 +62,12 @@ impl Wanted<'_> {
         match *self {
             Self::Range { first, count } => (first, count),
             Self::List(list) => {
-                let first = list.iter().min().copied().unwrap_or(0) as usize;
-                let last = list.iter().max().copied().unwrap_or(0) as usize;
-                (first, if list.is_empty() { 0 } else { last - first + 1 })
+                if list.is_empty() {
+                    return (0, 0);
+                }
+                let first = list.iter().fold(u32::MAX, |least, number| least.min(*number));
+                let last = list.iter().fold(0, |most, number| most.max(*number));
+                (first as usize, (last - first) as usize + 1)
             }
         }
     }
@@ -98,13 +101,17 @@ pub(crate) fn decode<const N: usize>(
     fill: [f32; N],
 ) -> Vec<[f32; N]> {
     macro_rules! each {
-        ($number:ty, $of:expr) => {
-            elements(array, bytes, vertices, fill, |bytes: &[u8]| {
-                let bytes = bytes.first_chunk().copied().unwrap_or_default();
-                let of: fn($number) -> f32 = $of;
-                of(<$number>::from_ne_bytes(bytes))
-            })
-        };
+        ($number:ty, $of:expr) => {{
+            const WIDTH: usize = size_of::<$number>();
+            let of: fn($number) -> f32 = $of;
+            let of = |bytes: &[u8; WIDTH]| of(<$number>::from_ne_bytes(*bytes));
+            match array.size.min(N) {
+                1 => elements::<N, 1, WIDTH>(array, bytes, vertices, fill, of),
+                2 => elements::<N, 2, WIDTH>(array, bytes, vertices, fill, of),
+                3 => elements::<N, 3, WIDTH>(array, bytes, vertices, fill, of),
+                _ => elements::<N, 4, WIDTH>(array, bytes, vertices, fill, of),
+            }
+        }};
     }
     match (array.data_type, normalized) {
         (gl::FLOAT, _) => each!(f32, |value| value),
@@ -124,19 +131,20 @@ pub(crate) fn decode<const N: usize>(
     }
 }
 
-fn elements<const N: usize>(
+/// Elements of `SIZE` components of `WIDTH` bytes each.
+fn elements<const N: usize, const SIZE: usize, const WIDTH: usize>(
     array: &VertexArray,
     bytes: &[u8],
     vertices: Wanted<'_>,
     fill: [f32; N],
-    of: impl Fn(&[u8]) -> f32,
+    of: impl Fn(&[u8; WIDTH]) -> f32,
 ) -> Vec<[f32; N]> {
-    let (step, size, width) = (array.step(), array.size.min(N), type_bytes(array.data_type));
+    let step = array.step();
     let element = |number: usize| {
         let mut values = fill;
         let start = number * step;
-        if let Some(bytes) = bytes.get(start..start + size * width) {
-            for (value, bytes) in values.iter_mut().zip(bytes.chunks_exact(width)) {
+        if let Some(bytes) = bytes.get(start..start + SIZE * WIDTH) {
+            for (value, bytes) in values.iter_mut().zip(bytes.as_chunks().0) {
                 *value = of(bytes);
             }
         }

@@ -182,6 +182,50 @@ fn section_5_3_polygons_are_clipped_to_one_polygon_and_lines_of_strips_continue(
 }
 
 #[test]
+fn section_5_3_many_polygons_are_in_the_order_of_calls_up_to_the_end_of_the_buffer() {
+    let mut context = canvas(100, 50);
+    context.shade_model(0x1D00);
+    // Some of them are clipped.
+    let corner = |number: usize, at: usize| {
+        let [x, y] = [(number % 97) as f32, (number % 41) as f32];
+        [x + [0.0, 9.0, 0.0][at] - 4.0, y + [0.0, 0.0, 9.0][at], 0.0, 1.0]
+    };
+    let triangle = |context: &mut Context, number: usize| {
+        for at in 0..3 {
+            context.color([number as f32 / 9000.0, 0.0, 0.0, 1.0]);
+            context.vertex(corner(number, at));
+        }
+    };
+    let mut fed_back = |room: usize, is_one: bool| {
+        context.feedback_buffer(room as i32, 0x0602);
+        context.render_mode(gl::FEEDBACK);
+        if is_one {
+            context.begin(gl::TRIANGLES);
+            (0..9000).for_each(|number| triangle(&mut context, number));
+            context.end();
+        } else {
+            for number in 0..9000 {
+                context.begin(gl::TRIANGLES);
+                triangle(&mut context, number);
+                context.end();
+            }
+        }
+        let result = context.render_mode(gl::RENDER);
+        let Words::Feedback(values) = result.words else { panic!("no values") };
+        (result.count, values)
+    };
+    let whole = fed_back(1 << 20, false);
+    let count = whole.1.len();
+    assert!(whole.0 as usize == count && count > 9000 * 23);
+    assert_eq!(fed_back(1 << 20, true), whole);
+    for room in [count, count - 1, count / 2, 9000 * 6, 11, 0] {
+        let (own, values) = fed_back(room, true);
+        assert_eq!(own, if room == count { count as i32 } else { -1 });
+        assert!(values == whole.1[..room], "{room}");
+    }
+}
+
+#[test]
 fn section_5_3_the_mode_of_polygons_and_edge_flags_decide_about_tokens() {
     let mut context = canvas(100, 50);
     context.polygon_mode(0x0408, 0x1B01);
