@@ -72,7 +72,7 @@ impl Context {
         self.drawn |= returns;
         self.each_accumulated(|context, at, sum| {
             let color = match operation {
-                gl::ACCUM | gl::LOAD => context.frame_color(at),
+                gl::ACCUM | gl::LOAD => context.frame_colors().color(at),
                 _ => [0.0; 4],
             };
             for (sum, color) in sum.iter_mut().zip(color) {

@@ -240,12 +240,13 @@ impl Context {
             let start = i64::from(from[axis]);
             within(start)..within(start + i64::from(size[axis]))
         });
+        let colors = self.frame_colors();
         for y in rows.clone() {
             for x in columns.clone() {
                 let at = [x, y];
                 let stencil = self.framebuffer.stencil(at);
                 let values = match pixels {
-                    ImagePixels::Colors(_) => self.frame_color(at),
+                    ImagePixels::Colors(_) => colors.color(at),
                     _ => [self.framebuffer.unit_depth(at), f32::from(stencil) / 255.0, 0.0, 1.0],
                 };
                 pixels.push(&transfer, values, i32::from(stencil));

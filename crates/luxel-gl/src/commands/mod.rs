@@ -15,6 +15,7 @@ mod draw;
 mod draw_pixels;
 mod evaluators;
 mod fragments;
+mod frame_pixels;
 mod framebuffer_queries;
 mod framebuffers;
 mod gets;

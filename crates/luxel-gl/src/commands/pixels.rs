@@ -1,12 +1,11 @@
 //! Pixels to the program's memory (OpenGL 1.5, sections 3.6.1 and 4.3.2), and OSMesa's buffers.
 
-use super::fragments::unit;
+use super::frame_pixels::{PixelWriter, write_bytes};
 use crate::Context;
 use crate::context::outside_begin;
 use crate::enums as gl;
 use crate::pixels::format::{Components, PixelFormat};
 use crate::pixels::store::Layout;
-use crate::state::transfer::Transfer;
 
 /// How the caller's colour buffer is laid out: `OSMesaCreateContext`, `OSMesaMakeCurrent`, `OSMesaPixelStore`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -154,67 +153,46 @@ impl Context {
             }
         };
         self.carry_out();
-        let transfer = self.transfer();
-        let swap = self.client.pack.swap_bytes;
         let [frame_width, frame_height] = self.framebuffer.size().map(i64::from);
         let (x, y) = (i64::from(x), i64::from(y));
         let rows = (-y).max(0)..i64::from(height).min(frame_height - y);
         let columns = (-x).max(0)..i64::from(width).min(frame_width - x);
-        for row in rows {
-            for column in columns.clone() {
-                let place = [(x + column) as u32, (y + row) as u32];
-                let start =
-                    layout.start + row as usize * layout.stride + column as usize * layout.pixel;
-                let Some(out) = destination.get_mut(start..start + layout.pixel) else { return };
-                let (values, count) = self.components(kind.components, place, &transfer);
-                kind.write(&values[..count], swap, out);
-            }
+        if rows.is_empty() || columns.is_empty() {
+            return;
         }
-    }
-
-    /// A pixel's red, green, blue and alpha.
-    pub(super) fn frame_color(&self, at: [u32; 2]) -> [f32; 4] {
-        let mut color = self.framebuffer.color(at).map(|byte| f32::from(byte) / 255.0);
-        if !self.has_alpha() {
-            color[3] = 1.0;
+        let writer = PixelWriter {
+            colors: self.frame_colors(),
+            transfer: self.transfer(),
+            kind,
+            swap: self.client.pack.swap_bytes,
+        };
+        let within = (x + columns.start) as u32..(x + columns.end) as u32;
+        let first = columns.start as usize * layout.pixel;
+        let bytes = within.len() * layout.pixel;
+        let start = layout.start + rows.start as usize * layout.stride + first;
+        let Some(destination) = destination.get_mut(start..) else { return };
+        let (first_y, count) = ((y + rows.start) as u32, (rows.end - rows.start) as usize);
+        let write = |row: usize, words: &mut Vec<u32>, out: &mut [u8]| {
+            let out = out.split_at_mut(bytes.min(out.len())).0;
+            writer.write_row(first_y + row as u32, within.clone(), words, out);
+        };
+        if layout.stride < bytes {
+            // Rows overlap: the last one counts.
+            let mut words = Vec::new();
+            for row in 0..count {
+                let Some(out) = destination.get_mut(row * layout.stride..) else { return };
+                write(row, &mut words, out);
+            }
+            return;
         }
-        color
-    }
-
-    /// A pixel's components in the order of memory, and how many.
-    fn components(
-        &self,
-        components: Components,
-        at: [u32; 2],
-        transfer: &Transfer,
-    ) -> ([f32; 4], usize) {
-        let color = || transfer.color(self.frame_color(at)).map(unit);
-        let mut values = [0.0; 4];
-        match components {
-            Components::Colors(places) => {
-                let color = color();
-                for (value, &place) in values.iter_mut().zip(places) {
-                    *value = color[place];
-                }
+        let bands = destination.chunks_mut(layout.stride.saturating_mul(BAND));
+        let bands = bands.take(count.div_ceil(BAND)).enumerate();
+        luxel_parallel::each(bands, &|(band, out)| {
+            let mut words = Vec::new();
+            for (row, out) in (band * BAND..count).zip(out.chunks_mut(layout.stride)) {
+                write(row, &mut words, out);
             }
-            Components::Luminance { .. } => {
-                let [r, g, b, a] = color();
-                values = [(r + g + b).min(1.0), a, 0.0, 0.0];
-            }
-            // Colours have no indices, which `readable` refuses.
-            Components::Index => {}
-            Components::Depth => values[0] = unit(transfer.depth(self.framebuffer.unit_depth(at))),
-            Components::Stencil => {
-                let value = transfer.stencil(i32::from(self.framebuffer.stencil(at)));
-                values[0] = (value & 0xffff) as f32;
-            }
-            Components::DepthStencil => {
-                let stencil = f32::from(self.framebuffer.stencil(at)) / 255.0;
-                let pixel = [self.framebuffer.unit_depth(at), stencil, 0.0, 0.0];
-                values = transfer.values(pixel, true).map(unit);
-            }
-        }
-        (values, components.count())
+        });
     }
 
     /// Writes the colour buffer to the caller's memory as OSMesa does at `glFlush`, `glFinish` and when a context is
@@ -249,25 +227,17 @@ impl Context {
         let write_row = |row: usize, out: &mut [u8], words: &mut [u32]| {
             let y = if layout.y_up { row } else { height - 1 - row };
             framebuffer.color_row(y as u32, words);
-            let pixels = out.chunks_exact_mut(kind.bytes()).zip(&*words);
-            match (bytes, order) {
-                (true, [0, 1, 2, 3]) => {
-                    pixels.for_each(|(out, word)| out.copy_from_slice(&word.to_le_bytes()));
+            if bytes {
+                write_bytes(words, order, out);
+                return;
+            }
+            for (out, word) in out.chunks_exact_mut(kind.bytes()).zip(&*words) {
+                let color = word.to_le_bytes().map(|byte| f32::from(byte) / 255.0);
+                let mut values = [0.0; 4];
+                for (value, &place) in values.iter_mut().zip(order) {
+                    *value = color[place];
                 }
-                (true, _) => pixels.for_each(|(out, word)| {
-                    let color = word.to_le_bytes();
-                    for (out, &place) in out.iter_mut().zip(order) {
-                        *out = color[place];
-                    }
-                }),
-                (false, _) => pixels.for_each(|(out, word)| {
-                    let color = word.to_le_bytes().map(|byte| f32::from(byte) / 255.0);
-                    let mut values = [0.0; 4];
-                    for (value, &place) in values.iter_mut().zip(order) {
-                        *value = color[place];
-                    }
-                    kind.write(&values[..order.len()], false, out);
-                }),
+                kind.write(&values[..order.len()], false, out);
             }
         };
         let bands = destination.chunks_mut(stride.saturating_mul(BAND));

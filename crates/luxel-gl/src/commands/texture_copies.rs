@@ -122,7 +122,7 @@ impl Context {
         self.with_read_framebuffer(|context| {
             context.carry_out();
             let [frame_width, frame_height] = context.framebuffer.size().map(i64::from);
-            let transfer = context.transfer();
+            let (transfer, colors) = (context.transfer(), context.frame_colors());
             let (x, y) = (i64::from(x), i64::from(y));
             let rows = (-y).max(0)..i64::from(height).min(frame_height - y);
             let columns = (-x).max(0)..i64::from(width).min(frame_width - x);
@@ -133,7 +133,7 @@ impl Context {
                     let color = if is_depth {
                         [context.framebuffer.unit_depth(at), context.unit_stencil(at), 0.0, 1.0]
                     } else {
-                        context.frame_color(at)
+                        colors.color(at)
                     };
                     ([column as u32, row as u32], transfer.values(color, is_depth))
                 })

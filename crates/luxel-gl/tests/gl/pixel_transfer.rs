@@ -1,7 +1,8 @@
 //! Reading pixels (section 4.3.2) and OSMesa's buffers.
 
 use crate::canvas::{canvas, gl};
-use luxel_gl::{ColorLayout, Context};
+use luxel_gl::{ColorLayout, Configuration, Context};
+use proptest::prelude::*;
 
 /// Four pixels a row, each of its own colour, three rows.
 fn painted() -> Context {
@@ -112,4 +113,76 @@ fn osmesa_buffers_stay_as_they_are_while_nothing_is_drawn() {
     context.clear(gl::COLOR_BUFFER_BIT);
     context.color_plane(layout, &mut plane);
     assert_eq!(plane, [0; 48]);
+}
+
+proptest! {
+    #[test]
+    fn section_4_3_2_rows_are_read_as_their_pixels_are_one_by_one(
+        [x, y] in [-9..30_i32, -9..50_i32], size in [0..40_i32, 0..60_i32], format in 0..14_usize,
+        data_type in prop::sample::select(vec![gl::UNSIGNED_BYTE, 0x1403, gl::FLOAT]), swaps in any::<bool>(),
+        row_length in prop_oneof![Just(0), 1..50_i32], skip in [0..3_i32, 0..3_i32], alignment in 0..4_u32,
+        scale in prop::sample::select(vec![1.0, 0.5]), alpha in any::<bool>(), missing in prop_oneof![3 => Just(0), 1 => 1..400_usize],
+    ) {
+        const FORMATS: [u32; 14] = [
+            0x1903, 0x1904, 0x1905, 0x1906, 0x1907, 0x1908, 0x80E0, 0x80E1, 0x8000, 0x1909, 0x190A, 0x1902, 0x1901,
+            0x1908,
+        ];
+        let mut context = Context::new(Configuration { alpha, ..Configuration::default() });
+        context.resize_default(27, 45);
+        context.enable(gl::DEPTH_TEST);
+        context.begin(gl::TRIANGLES);
+        for ([x, y, z], color) in [[-0.9, -1.0, 0.5], [1.0, -0.5, -0.5], [0.0, 1.5, 0.9]].into_iter().zip([
+            [1.0, 0.25, 0.0, 0.5], [0.0, 1.0, 0.5, 1.0], [0.3, 0.0, 1.0, 0.0],
+        ]) {
+            context.color(color);
+            context.vertex([x, y, z, 1.0]);
+        }
+        context.end();
+        // GL_RED_SCALE
+        context.pixel_transfer(0x0D14, scale);
+        let (format, [width, height]) = (FORMATS[format], size);
+        let mut one = |at: [i32; 2]| {
+            let mut bytes = vec![77; context.pack_bytes(1, 1, format, data_type)];
+            context.read_pixels(at[0], at[1], 1, 1, format, data_type, &mut bytes);
+            bytes
+        };
+        // GL_PACK_SWAP_BYTES reverses elements, of which a pixel has some.
+        let element = match data_type {
+            gl::UNSIGNED_BYTE => 1,
+            0x1403 => 2,
+            _ => 4,
+        };
+        let mut pixels = Vec::new();
+        for row in 0..height {
+            for column in 0..width {
+                let mut bytes = one([x + column, y + row]);
+                if swaps {
+                    bytes.chunks_mut(element).for_each(<[u8]>::reverse);
+                }
+                pixels.push(bytes);
+            }
+        }
+        let pixel = pixels.first().map_or(1, Vec::len);
+        for (name, value) in [(0x0D00, i32::from(swaps)), (0x0D02, row_length), (0x0D03, skip[0]), (0x0D04, skip[1])] {
+            context.pixel_store(name, value as f32);
+        }
+        context.pixel_store(0x0D05, (1 << alignment) as f32);
+        let length = context.pack_bytes(width, height, format, data_type).saturating_sub(missing);
+        let mut found = vec![77; length];
+        context.read_pixels(x, y, width, height, format, data_type, &mut found);
+        prop_assert_eq!(context.get_error(), gl::NO_ERROR);
+        let row = (if row_length > 0 { row_length } else { width }) as usize * pixel;
+        let stride = if element >= 1 << alignment { row } else { row.div_ceil(1 << alignment) << alignment };
+        let mut expected = vec![77; length];
+        for (number, bytes) in pixels.iter().enumerate() {
+            let (across, up) = (number % width as usize, number / width as usize);
+            let at = [x + across as i32, y + up as i32];
+            let start = (skip[0] as usize + up) * stride + (skip[1] as usize + across) * pixel;
+            let is_there = (0..27).contains(&at[0]) && (0..45).contains(&at[1]);
+            if let Some(place) = expected.get_mut(start..start + pixel).filter(|_| is_there) {
+                place.copy_from_slice(bytes);
+            }
+        }
+        prop_assert!(found == expected);
+    }
 }
