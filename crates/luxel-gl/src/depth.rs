@@ -62,9 +62,10 @@ impl DepthKind {
     #[inline(always)]
     pub(crate) fn unit<N: Lanes>(self, value: N) -> N {
         match self {
+            // As exact as the division: no quotient of whole steps is as near to the middle between two `f32`.
             Self::Steps => {
                 let value = value.to_f64();
-                (value / value.constant(LARGEST_STEP.into())).to_f32()
+                (value * value.constant(1.0 / f64::from(LARGEST_STEP))).to_f32()
             }
             Self::Floats => value,
         }
@@ -126,6 +127,14 @@ mod tests {
         assert_eq!(DepthKind::Steps.moved(16_777_214.0_f32, 3.0), 16_777_215.0);
         assert_eq!(DepthKind::Floats.moved(0.25_f32, 0.5), 0.75);
         assert_eq!(DepthKind::Floats.moved(0.75_f32, 0.5), 1.0);
+    }
+
+    #[test]
+    fn steps_become_depths_as_a_division_rounds_them() {
+        for step in 0..1_u32 << 24 {
+            let expected = (f64::from(step) / f64::from(LARGEST_STEP)) as f32;
+            assert_eq!(DepthKind::Steps.unit(step as f32), expected, "{step}");
+        }
     }
 
     #[test]

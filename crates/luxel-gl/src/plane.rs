@@ -3,7 +3,7 @@
 //! Framebuffers, renderbuffers and images of textures keep their pixels so: what is drawn to is moved between them, not
 //! copied.
 
-use luxel_math::LANES;
+use luxel_math::{LANES, Simd, lanes_of, prelude::*, u32x16};
 use luxel_visibility::{BLOCK, BLOCKS, TILE, Tile};
 
 /// Blocks of a tile.
@@ -64,6 +64,34 @@ impl<T: Copy> Plane<T> {
         self.tiles.get(tile).map(|tile| tile[block][lane])
     }
 
+    /// The values of the first samples of some lanes' pixels, a bit each; 0 outside, and in other lanes.
+    #[inline(always)]
+    pub(crate) fn gathered<S: Simd>(&self, [x, y]: [u32x16<S>; 2], lanes: u32) -> [T; LANES]
+    where
+        T: Default,
+    {
+        const TILE_BITS: u32 = TILE.ilog2();
+        const BLOCK_BITS: u32 = BLOCK.ilog2();
+        let across = (self.across * self.samples) as u32;
+        let tile = (y >> TILE_BITS) * across + (x >> TILE_BITS) * self.samples as u32;
+        // Row and column of the block, then of the pixel in it.
+        let [block, pixel] = [(TILE / BLOCK - 1) as u32, (BLOCK - 1) as u32];
+        let place = ((y >> BLOCK_BITS) & block) << (TILE_BITS + BLOCK_BITS)
+            | ((x >> BLOCK_BITS) & block) << (2 * BLOCK_BITS)
+            | (y & pixel) << BLOCK_BITS
+            | x & pixel;
+        let (mut tiles, mut places) = ([0; LANES], [0; LANES]);
+        tile.store_slice(&mut tiles);
+        place.store_slice(&mut places);
+        let mut values = [T::default(); LANES];
+        for lane in lanes_of(lanes) {
+            if let Some(tile) = self.tiles.get(tiles[lane] as usize) {
+                values[lane] = tile.as_flattened()[places[lane] as usize];
+            }
+        }
+        values
+    }
+
     /// Changes the value of a sample; nothing outside.
     pub(crate) fn set(&mut self, at: [u32; 2], sample: usize, value: T) {
         let (tile, block, lane) = self.place(at, sample);
@@ -106,6 +134,7 @@ impl<T: Copy> Plane<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use luxel_math::{Level, dispatch};
 
     #[test]
     fn values_are_found_again_sample_by_sample_and_row_by_row() {
@@ -120,6 +149,24 @@ mod tests {
                 assert_eq!(plane.get(at, sample), Some(value(at[0], at[1], sample)));
             }
         }
+        dispatch!(Level::baseline(), simd => {
+            for first in 0..8690 {
+                // Any pixels, also of one column, and one beyond.
+                let at = |lane: u32| [(first + 37 * lane) % 130, (first / 130 + 5 * lane) % 70];
+                let column = |axis: usize| {
+                    let numbers: [u32; LANES] = std::array::from_fn(|lane| at(lane as u32)[axis]);
+                    u32x16::from_slice(simd, &numbers)
+                };
+                let values = plane.gathered([column(0), column(1)], 0xff0f);
+                for lane in 0..LANES {
+                    let given = 0xff0f_u32 >> lane & 1 == 1;
+                    let [x, y] = at(lane as u32);
+                    assert_eq!(values[lane], if given { value(x, y, 0) } else { 0 });
+                }
+            }
+            let beyond = u32x16::splat(simd, 64000);
+            assert_eq!(plane.gathered([beyond, beyond], u32::from(u16::MAX)), [0; LANES]);
+        });
         let mut row = [0; 130];
         plane.read_row(69, &mut row);
         assert!((0..130).all(|x| row[x as usize] == value(x, 69, 0)));

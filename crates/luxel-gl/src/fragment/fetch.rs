@@ -60,15 +60,8 @@ impl<'t> Fetch<'t> {
             return [channel(words, 0), channel(words, 8), channel(words, 16), channel(words, 24)];
         }
         if let (true, Texels::Depth(Some(depths))) = (self.plain, &self.image.texels) {
-            let mut kept = [0.0; LANES];
-            zero.visit(
-                lanes,
-                #[inline(always)]
-                |lane| {
-                    let value = depths.values.get([across[lane], up[lane]], 0);
-                    kept[lane] = value.unwrap_or(0.0);
-                },
-            );
+            let of = |numbers: &[u32; LANES]| u32x16::from_slice(simd, &numbers[..]);
+            let kept = depths.values.gathered([of(across), of(up)], lanes);
             return [depths.kind.unit(zero.load(&kept, 0)); 4];
         }
         let mut columns = [[0.0; LANES]; 4];
@@ -121,11 +114,33 @@ impl<'t> Fetch<'t> {
 #[inline(always)]
 fn channel<S: Simd>(words: u32x16<S>, shift: u32) -> f32x16<S> {
     let byte: i32x16<S> = ((words >> shift) & 0xff).bitcast();
-    f32x16::float_from(byte) / 255.0
+    part_of_255(f32x16::float_from(byte))
+}
+
+/// A byte / 255, to the bit, without a division: 1/255 is 257/65536 and a rest. With the first part the product is exact,
+/// and the error of the other one is too small to be seen in the sum.
+#[inline(always)]
+fn part_of_255<N: Lanes>(byte: N) -> N {
+    const FIRST: f32 = 257.0 / 65536.0;
+    const REST: f32 = (1.0 / 255.0 - 257.0 / 65536.0_f64) as f32;
+    byte * byte.constant(FIRST) + byte * byte.constant(REST)
 }
 
 /// How many axes of an image have a border: those that are longer than the inner image.
 fn bordered_axes(image: &TextureImage) -> usize {
     let last = image.size.iter().rposition(|side| *side > 1);
     last.map_or(1, |last| last + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_are_divided_by_255_to_the_bit() {
+        for byte in 0..=255_u8 {
+            let byte = f32::from(byte);
+            assert_eq!(part_of_255(byte).to_bits(), (byte / 255.0).to_bits());
+        }
+    }
 }
