@@ -85,7 +85,7 @@ impl DepthKind {
 }
 
 /// Depths of all pixels.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct DepthPlane {
     pub(crate) kind: DepthKind,
     /// As they are kept.

@@ -13,15 +13,65 @@ const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
 /// One tile, block by block.
 pub(crate) type Blocks<T> = [[T; LANES]; TILE_BLOCKS];
 
+/// The values of a tile. What is filled with one value isn't written before somebody changes a part of it: most of a
+/// shadow map is as far away as it was cleared to be.
+#[derive(Clone, Debug)]
+pub(crate) struct PlaneTile<T> {
+    /// The value of all pixels, in the place of the blocks.
+    filled: Option<T>,
+    blocks: Box<Blocks<T>>,
+}
+
+impl<T: Copy> PlaneTile<T> {
+    /// Gives all pixels a value.
+    pub(crate) fn fill(&mut self, value: T) {
+        self.filled = Some(value);
+    }
+
+    /// Changes the values of all pixels.
+    pub(crate) fn change(&mut self, change: impl Fn(T) -> T) {
+        match &mut self.filled {
+            Some(value) => *value = change(*value),
+            None => {
+                self.blocks.as_flattened_mut().iter_mut().for_each(|value| *value = change(*value));
+            }
+        }
+    }
+
+    /// The blocks, to be changed.
+    #[inline(always)]
+    pub(crate) fn blocks_mut(&mut self) -> &mut Blocks<T> {
+        if let Some(value) = self.filled.take() {
+            self.write(value);
+        }
+        &mut self.blocks
+    }
+
+    #[inline(never)]
+    fn write(&mut self, value: T) {
+        self.blocks.as_flattened_mut().fill(value);
+    }
+
+    /// The value at a place, row by row within a block and block by block.
+    #[inline(always)]
+    fn at(&self, place: usize) -> T {
+        let place = place & (TILE_BLOCKS * LANES - 1);
+        self.filled.unwrap_or_else(
+            #[inline(always)]
+            || self.blocks.as_flattened()[place],
+        )
+    }
+}
+
 /// Values of all pixels, with one sample or several.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Plane<T> {
     size: [u32; 2],
     /// Tiles side by side, and samples of a pixel.
     across: usize,
     samples: usize,
     /// Those of a tile's samples one after the other.
-    tiles: Vec<Box<Blocks<T>>>,
+    tiles: Vec<PlaneTile<T>>,
 }
 
 impl<T: Copy> Plane<T> {
@@ -35,7 +85,8 @@ impl<T: Copy> Plane<T> {
             let mut blocks = Vec::new();
             blocks.try_reserve_exact(TILE_BLOCKS).ok()?;
             blocks.resize(TILE_BLOCKS, [value; LANES]);
-            tiles.push(blocks.into_boxed_slice().try_into().ok()?);
+            let blocks = blocks.into_boxed_slice().try_into().ok()?;
+            tiles.push(PlaneTile { filled: None, blocks });
         }
         Some(Self { size, across, samples, tiles })
     }
@@ -50,18 +101,18 @@ impl<T: Copy> Plane<T> {
         self.samples
     }
 
-    /// Tile, block and lane of a sample of a pixel.
-    fn place(&self, [x, y]: [u32; 2], sample: usize) -> (usize, usize, usize) {
+    /// Tile of a sample of a pixel, and its place there.
+    fn place(&self, [x, y]: [u32; 2], sample: usize) -> (usize, usize) {
         let side = TILE as u32;
         let tile = (y / side) as usize * self.across + (x / side) as usize;
         let (block, lane) = Tile::place((x % side) as i32, (y % side) as i32);
-        (tile * self.samples + sample, block, lane)
+        (tile * self.samples + sample, block * LANES + lane)
     }
 
     /// The value of a sample; `None` outside.
     pub(crate) fn get(&self, at: [u32; 2], sample: usize) -> Option<T> {
-        let (tile, block, lane) = self.place(at, sample);
-        self.tiles.get(tile).map(|tile| tile[block][lane])
+        let (tile, place) = self.place(at, sample);
+        self.tiles.get(tile).map(|tile| tile.at(place))
     }
 
     /// The values of the first samples of some lanes' pixels, a bit each; 0 outside, and in other lanes.
@@ -86,7 +137,7 @@ impl<T: Copy> Plane<T> {
         let mut values = [T::default(); LANES];
         for lane in lanes_of(lanes) {
             if let Some(tile) = self.tiles.get(tiles[lane] as usize) {
-                values[lane] = tile.as_flattened()[places[lane] as usize];
+                values[lane] = tile.at(places[lane] as usize);
             }
         }
         values
@@ -94,9 +145,9 @@ impl<T: Copy> Plane<T> {
 
     /// Changes the value of a sample; nothing outside.
     pub(crate) fn set(&mut self, at: [u32; 2], sample: usize, value: T) {
-        let (tile, block, lane) = self.place(at, sample);
+        let (tile, place) = self.place(at, sample);
         if let Some(tile) = self.tiles.get_mut(tile) {
-            tile[block][lane] = value;
+            tile.blocks_mut().as_flattened_mut()[place] = value;
         }
     }
 
@@ -107,7 +158,11 @@ impl<T: Copy> Plane<T> {
         let first = (y / TILE as u32) as usize * self.across * self.samples;
         let tiles = self.tiles[first..].iter().step_by(self.samples);
         for (tile, pixels) in tiles.zip(row.chunks_mut(TILE as usize)) {
-            let blocks = &tile[block_row..block_row + BLOCKS as usize];
+            if let Some(value) = tile.filled {
+                pixels.fill(value);
+                continue;
+            }
+            let blocks = &tile.blocks[block_row..block_row + BLOCKS as usize];
             // Rows of whole blocks have a length that the compiler knows.
             let (whole, rest) = pixels.as_chunks_mut::<{ BLOCK as usize }>();
             let count = whole.len();
@@ -124,7 +179,7 @@ impl<T: Copy> Plane<T> {
     pub(crate) fn tiles_mut(
         &mut self,
         [across, up]: [usize; 2],
-    ) -> impl Iterator<Item = &mut [Box<Blocks<T>>]> {
+    ) -> impl Iterator<Item = &mut [PlaneTile<T>]> {
         let samples = self.samples.max(1);
         let rows = self.tiles.chunks_mut((self.across * samples).max(1)).take(up);
         rows.flat_map(move |row| row.chunks_mut(samples).take(across))
@@ -173,5 +228,26 @@ mod tests {
         assert_eq!(plane.tiles_mut([2, 1]).count(), 2);
         assert!(plane.tiles_mut([3, 2]).all(|tile| tile.len() == 2));
         assert_eq!(plane.get([0, 4000], 0), None);
+    }
+
+    #[test]
+    fn a_filled_tile_reads_and_changes_like_one_that_is_written() {
+        let mut plane = Plane::new([130, 70], 1, 5_u32).unwrap();
+        for tile in plane.tiles_mut([3, 2]).flatten() {
+            tile.fill(7);
+            tile.change(|value| value + 1);
+        }
+        plane.set([64, 3], 0, 20);
+        let mut row = [0; 130];
+        plane.read_row(3, &mut row);
+        let expected = |x: usize, value: u32| if x == 64 { value } else { 8 };
+        assert!((0..130).all(|x| row[x] == expected(x, 20)));
+        assert_eq!([plane.get([65, 3], 0), plane.get([129, 69], 0)], [Some(8); 2]);
+        for tile in plane.tiles_mut([3, 2]).flatten() {
+            tile.change(|value| value / 2);
+            tile.blocks_mut();
+        }
+        plane.read_row(3, &mut row);
+        assert!((0..130).all(|x| row[x] == expected(x, 20) / 2));
     }
 }

@@ -110,18 +110,24 @@ impl PixelWriter<'_> {
 
 /// Writes bytes of colours, red lowest, in the order of places.
 pub(super) fn write_bytes(words: &[u32], places: &[usize], out: &mut [u8]) {
-    fn put<const N: usize>(words: &[u32], places: [usize; N], out: &mut [u8]) {
-        for (word, out) in words.iter().zip(out.as_chunks_mut::<N>().0) {
-            let color = word.to_le_bytes();
-            *out = places.map(|place| color[place & 3]);
+    /// What `of` makes of each colour.
+    #[inline(always)]
+    fn put<const N: usize>(words: &[u32], out: &mut [u8], of: impl Fn([u8; 4]) -> [u8; N]) {
+        for (word, out) in words.iter().zip(out.as_chunks_mut().0) {
+            *out = of(word.to_le_bytes());
         }
     }
-    match *places {
-        [0, 1, 2, 3] => put(words, [0, 1, 2, 3], out),
-        [0, 1, 2] => put(words, [0, 1, 2], out),
-        [a] => put(words, [a], out),
-        [a, b, c] => put(words, [a, b, c], out),
-        [a, b, c, d] => put(words, [a, b, c, d], out),
-        _ => {}
+    match places {
+        [0, 1, 2, 3] => put(words, out, |color| color),
+        [2, 1, 0, 3] => put(words, out, |[r, g, b, a]| [b, g, r, a]),
+        [0, 1, 2] => put(words, out, |[r, g, b, _]| [r, g, b]),
+        _ => {
+            for (word, out) in words.iter().zip(out.chunks_exact_mut(places.len())) {
+                let color = word.to_le_bytes();
+                for (out, &place) in out.iter_mut().zip(places) {
+                    *out = color[place];
+                }
+            }
+        }
     }
 }

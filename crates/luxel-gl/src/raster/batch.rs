@@ -1,6 +1,7 @@
 //! The primitives of one draw, set up.
 
 use super::bitmap::Bitmap;
+use super::framebuffer::Uses;
 use super::image::PlacedImage;
 use super::pieces::{Piece, Pieces, Shade};
 use super::pipeline::Pipeline;
@@ -67,6 +68,19 @@ impl Batch {
             && self.samples.is_none()
             && !pipeline.is_mixing()
             && (pipeline.polygon_stipple.is_none() || !of_polygon)
+    }
+
+    /// The planes that its fragments are tested by or written to.
+    #[inline(always)]
+    pub(super) fn uses(&self) -> Uses {
+        let pipeline = &*self.pipeline;
+        // Images of depths and of stencil values are written whatever the tests are.
+        let all = self.image.is_some();
+        Uses {
+            color: pipeline.color_bits != 0,
+            depth: all || pipeline.depth.is_some(),
+            stencil: all || pipeline.stencil.is_some(),
+        }
     }
 
     /// Takes a bitmap with its lower left corner at a pixel, in the colours of the batch's first vertex.

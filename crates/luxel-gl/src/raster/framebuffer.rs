@@ -2,7 +2,7 @@
 
 use crate::depth::{DepthKind, DepthPlane};
 use crate::enums as gl;
-use crate::plane::{Blocks, Plane, TILE_BLOCKS};
+use crate::plane::{Blocks, Plane, PlaneTile, TILE_BLOCKS};
 use luxel_math::LANES;
 use luxel_visibility::{BLOCK, BLOCKS, TILE};
 
@@ -31,10 +31,18 @@ pub(crate) struct Framebuffer {
 /// A tile of all planes, each with its samples; `None` for planes that aren't there.
 #[derive(Debug)]
 pub(super) struct TilePlanes<'a> {
-    pub(super) color: Option<&'a mut [Box<Blocks<u32>>]>,
-    pub(super) depth: Option<&'a mut [Box<Blocks<f32>>]>,
+    pub(super) color: Option<&'a mut [PlaneTile<u32>]>,
+    pub(super) depth: Option<&'a mut [PlaneTile<f32>]>,
     pub(super) depth_kind: DepthKind,
-    pub(super) stencil: Option<&'a mut [Box<Blocks<u32>>]>,
+    pub(super) stencil: Option<&'a mut [PlaneTile<u32>]>,
+}
+
+/// The planes that something looks at or changes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Uses {
+    pub(super) color: bool,
+    pub(super) depth: bool,
+    pub(super) stencil: bool,
 }
 
 /// A tile of one sample.
@@ -65,17 +73,40 @@ impl Default for NoPlanes {
 }
 
 impl TilePlanes<'_> {
-    /// The planes of a sample; what `missing` has in the place of those that aren't there means nothing.
+    /// The planes of a sample that are used; what `missing` has in the place of others means nothing.
+    #[inline(always)]
     pub(super) fn sample<'s>(
         &'s mut self,
         sample: usize,
         missing: &'s mut NoPlanes,
+        uses: Uses,
     ) -> SamplePlanes<'s> {
+        fn used<'s, T: Copy>(
+            tiles: &'s mut Option<&mut [PlaneTile<T>]>,
+            sample: usize,
+            uses: bool,
+        ) -> Option<&'s mut Blocks<T>> {
+            let tiles = tiles.as_mut().filter(|_| uses)?;
+            Some(tiles[sample].blocks_mut())
+        }
         SamplePlanes {
-            color: self.color.as_mut().map_or(&mut missing.color, |of| &mut of[sample]),
-            depth: self.depth.as_mut().map_or(&mut missing.depth, |of| &mut of[sample]),
+            color: used(&mut self.color, sample, uses.color).unwrap_or(&mut missing.color),
+            depth: used(&mut self.depth, sample, uses.depth).unwrap_or(&mut missing.depth),
             depth_kind: self.depth_kind,
-            stencil: self.stencil.as_mut().map_or(&mut missing.stencil, |of| &mut of[sample]),
+            stencil: used(&mut self.stencil, sample, uses.stencil).unwrap_or(&mut missing.stencil),
+        }
+    }
+
+    /// The depths of a sample; what `missing` has in the place of a plane that isn't there means nothing.
+    #[inline(always)]
+    pub(super) fn depths<'s>(
+        &'s mut self,
+        sample: usize,
+        missing: &'s mut NoPlanes,
+    ) -> &'s mut Blocks<f32> {
+        match &mut self.depth {
+            Some(tiles) => tiles[sample].blocks_mut(),
+            None => &mut missing.depth,
         }
     }
 }

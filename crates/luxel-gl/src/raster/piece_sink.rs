@@ -1,7 +1,7 @@
 //! Takes the samples of one piece: tests, and writes (OpenGL 1.5, section 4.1).
 
 use super::blend::{blended, compare, logic};
-use super::framebuffer::{LANE_X, LANE_Y, SamplePlanes, block_origin};
+use super::framebuffer::{LANE_X, LANE_Y, SamplePlanes, Uses, block_origin};
 use super::lighter::{Lighter, light_seen};
 use super::pipeline::Pipeline;
 use super::samples::covered_by_alpha;
@@ -17,6 +17,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 #[derive(Clone, Copy)]
 pub(super) struct Tests<'t> {
     pub(super) pipeline: &'t Pipeline,
+    pub(super) uses: Uses,
     /// Pixels of the tile that may be drawn to: left, bottom, right, top.
     pub(super) limits: [i32; 4],
     /// Whether depth alone decides.

@@ -5,6 +5,7 @@
 //! their calls, until something else is drawn.
 
 use super::batch::Batch;
+use super::framebuffer::Uses;
 use super::piece_sink::Tests;
 use super::pipeline::Pipeline;
 use super::samples::offsets;
@@ -137,12 +138,11 @@ impl SmallSink<u32> for NearestSink<'_, '_> {
     #[inline(always)]
     fn put<S: Simd>(&mut self, samples: &SmallSamples<'_, S, u32>) {
         let Self { nearest, samples: TileSamples { planes, missing, seen, .. } } = self;
-        let target = planes.sample(samples.sample, missing);
         let mut kept = *samples;
-        kept.z = target.depth_kind.moved(samples.z, 0.0);
+        kept.z = planes.depth_kind.moved(samples.z, 0.0);
         let places = kept.places();
-        let (depths, seen) =
-            (target.depth.as_flattened_mut(), seen[samples.sample].as_flattened_mut());
+        let depths = planes.depths(samples.sample, missing).as_flattened_mut();
+        let seen = seen[samples.sample].as_flattened_mut();
         let mut rest = samples.covered;
         while rest != 0 {
             let lane = rest.trailing_zeros() as usize & (LANES - 1);
@@ -167,6 +167,7 @@ impl StreamSink<u32> for NearestSink<'_, '_> {
         let limits = self.samples.all();
         let tests = Tests {
             pipeline,
+            uses: Uses { color: self.nearest.sees, depth: true, stencil: false },
             limits,
             plain: true,
             stipple: None,

@@ -1,6 +1,6 @@
 //! One tile's part of the log, in the order of the log.
 
-use super::framebuffer::{LANE_X, LANE_Y, NoPlanes, SamplePlanes, TilePlanes, block_origin};
+use super::framebuffer::{LANE_X, LANE_Y, NoPlanes, SamplePlanes, TilePlanes, Uses, block_origin};
 use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
 use super::shaded::ShadedBlocks;
@@ -23,7 +23,7 @@ pub(super) type Seen = [[u32; LANES]; TILE_BLOCKS];
 /// Memory that workers of tiles take over from one another.
 #[derive(Debug, Default)]
 pub(super) struct TileScratch {
-    /// Of each sample.
+    /// Of each sample: they see nothing.
     seen: Vec<Seen>,
     missing: NoPlanes,
     shaded: ShadedBlocks,
@@ -37,8 +37,8 @@ pub(super) struct TileWorker<'a> {
     small: SmallPieces<'a>,
     /// Whether the planes end where the window does.
     is_exact: bool,
-    /// Whether any piece has come since all that is seen was lit.
-    has_pieces: bool,
+    /// Whether samples may see pieces that haven't been lit.
+    sees: bool,
 }
 
 impl<'a> TileWorker<'a> {
@@ -59,10 +59,9 @@ impl<'a> TileWorker<'a> {
         let TileScratch { mut seen, missing, mut shaded, prepared } = scratch;
         shaded.restart(samples);
         seen.resize(samples, [[0; LANES]; TILE_BLOCKS]);
-        seen.as_flattened_mut().as_flattened_mut().fill(0);
         let lighter = Lighter::new(items, list, prepared);
         let samples = TileSamples { planes, missing, seen, shaded, lighter, origin, region };
-        Self { samples, small: SmallPieces::new(), is_exact, has_pieces: false }
+        Self { samples, small: SmallPieces::new(), is_exact, sees: false }
     }
 
     /// Its memory, for the next one.
@@ -87,7 +86,7 @@ impl<'a> TileWorker<'a> {
                 Item::Batch(batch, pieces) => {
                     let piece = &pieces.list()[entry.piece as usize];
                     let number = at as u32 + 1;
-                    self.has_pieces = true;
+                    self.sees |= batch.pipeline.color_bits != 0;
                     let may_wait = piece.is_of_corners() && piece.offset == 0.0;
                     if may_wait && self.small.may_take(simd, batch, &mut self.samples) {
                         let corners = piece.corners(batch);
@@ -105,13 +104,18 @@ impl<'a> TileWorker<'a> {
 
     /// Lights what is seen. A pixel's samples that see the same are lit once, at its centre.
     fn light<S: Simd>(&mut self, simd: S) {
-        if !std::mem::take(&mut self.has_pieces) {
+        if !std::mem::take(&mut self.sees) {
             return;
         }
         let TileSamples { planes, seen, lighter, origin, .. } = &mut self.samples;
-        let Some(colors) = &mut planes.color else { return };
-        let Some((first, others)) = colors.split_first_mut() else { return };
-        let Some((first_seen, others_seen)) = seen.split_first_mut() else { return };
+        let colors = planes.color.as_mut().and_then(|colors| colors.split_first_mut());
+        let (Some((first, others)), Some((first_seen, others_seen))) =
+            (colors, seen.split_first_mut())
+        else {
+            seen.as_flattened_mut().as_flattened_mut().fill(0);
+            return;
+        };
+        let first = first.blocks_mut();
         for block in 0..TILE_BLOCKS {
             let seen = first_seen[block];
             if sees_any(&seen) {
@@ -119,6 +123,7 @@ impl<'a> TileWorker<'a> {
                 light_seen(simd, *origin, block, of_block, lighter, first);
             }
             for (color, of_sample) in others.iter_mut().zip(others_seen.iter_mut()) {
+                let color = color.blocks_mut();
                 let of_block = &mut of_sample[block];
                 if !sees_any(of_block) {
                     continue;
@@ -140,16 +145,20 @@ impl<'a> TileWorker<'a> {
         let part = self.samples.within(clear.region);
         // What lies beyond the window may be an image's that is larger.
         let whole = part == [0, 0, TILE, TILE] || self.is_exact && part == self.samples.all();
-        let hides = std::mem::take(&mut self.has_pieces);
-        self.has_pieces = hides && !(whole && clear.color_mask == u32::MAX);
+        let hides = std::mem::take(&mut self.sees);
+        self.sees = hides && !(whole && clear.color_mask == u32::MAX);
         let TileSamples { planes, missing, seen, .. } = &mut self.samples;
+        if whole && matches!(clear.color_mask, 0 | u32::MAX) {
+            clear_all(planes, hides.then_some(seen), clear);
+            return;
+        }
+        let uses = Uses {
+            color: clear.color_mask != 0,
+            depth: clear.depth.is_some(),
+            stencil: clear.stencil_mask != 0,
+        };
         for (sample, seen) in seen.iter_mut().enumerate() {
-            let planes = &mut planes.sample(sample, missing);
-            if whole && matches!(clear.color_mask, 0 | u32::MAX) {
-                clear_all(planes, hides.then_some(seen), clear);
-            } else {
-                clear_part(planes, seen, clear, part);
-            }
+            clear_part(&mut planes.sample(sample, missing, uses), seen, clear, part);
         }
     }
 }
@@ -188,20 +197,32 @@ fn sees_any(seen: &[u32; LANES]) -> bool {
     seen.iter().fold(0, |any, entry| any | entry) != 0
 }
 
-/// Clears whole planes; what lies beyond the window doesn't matter.
-fn clear_all(planes: &mut SamplePlanes<'_>, seen: Option<&mut Seen>, clear: &ClearedTo) {
+/// Clears whole planes of all samples; what lies beyond the window doesn't matter.
+fn clear_all(planes: &mut TilePlanes<'_>, seen: Option<&mut Vec<Seen>>, clear: &ClearedTo) {
     if clear.color_mask != 0 {
         if let Some(seen) = seen {
-            seen.as_flattened_mut().fill(0);
+            seen.as_flattened_mut().as_flattened_mut().fill(0);
         }
-        planes.color.as_flattened_mut().fill(clear.color);
+        planes
+            .color
+            .iter_mut()
+            .flat_map(|tiles| tiles.iter_mut())
+            .for_each(|tile| tile.fill(clear.color));
     }
     if let Some(depth) = clear.depth {
-        planes.depth.as_flattened_mut().fill(depth);
+        planes
+            .depth
+            .iter_mut()
+            .flat_map(|tiles| tiles.iter_mut())
+            .for_each(|tile| tile.fill(depth));
     }
     if clear.stencil_mask != 0 {
-        for stencil in planes.stencil.as_flattened_mut() {
-            *stencil = *stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
-        }
+        let cleared =
+            |stencil: u32| stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
+        planes
+            .stencil
+            .iter_mut()
+            .flat_map(|tiles| tiles.iter_mut())
+            .for_each(|tile| tile.change(cleared));
     }
 }

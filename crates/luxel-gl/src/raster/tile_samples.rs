@@ -57,7 +57,7 @@ impl<'a> TileSamples<'a> {
         PieceSink {
             simd,
             sample,
-            planes: self.planes.sample(sample, &mut self.missing),
+            planes: self.planes.sample(sample, &mut self.missing, tests.uses),
             seen: &mut self.seen[sample],
             lighter: &mut self.lighter,
             shaded: &mut self.shaded,
@@ -105,6 +105,7 @@ impl<'a> TileSamples<'a> {
         let limits = self.within(limits);
         let tests = Tests {
             pipeline,
+            uses: batch.uses(),
             limits,
             plain: batch.is_tested_by_depth_alone(of_polygon),
             stipple: pipeline.polygon_stipple.as_ref().filter(|_| of_polygon),

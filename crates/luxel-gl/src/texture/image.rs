@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Texels in rows from the bottom up, images from front to back; red, green, blue, alpha, as
 /// [`InternalFormat::canonical`] has them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) enum Texels {
     Bytes(Vec<[u8; 4]>),
     Words(Vec<[u16; 4]>),
