@@ -69,7 +69,7 @@ impl Context {
             .map(|axis: usize| (raster.window[axis] + RASTER_ERROR - call.origin[axis]).floor());
         demand!(self, corner.iter().all(|at| at.abs() < 1e6), gl::NO_ERROR);
         let depth = scale.kind.kept(raster.window[2].into());
-        let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());
+        let vertices = Box::new(Processed::at_raster(raster, self.state.enables.sums_colors()));
         let mut batch = Batch::new(pipeline, viewport, scale, vertices);
         let corner = corner.map(|at| at as i32);
         let piece = batch.put_bitmap(Arc::clone(&call.bitmap), corner, depth);

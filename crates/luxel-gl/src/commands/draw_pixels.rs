@@ -160,7 +160,7 @@ impl Context {
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let raster = &self.state.current.raster;
         let depth = scale.kind.kept(raster.window[2].into());
-        let vertices = Processed::at_raster(raster, self.state.enables.sums_colors());
+        let vertices = Box::new(Processed::at_raster(raster, self.state.enables.sums_colors()));
         if let (None, ImagePixels::Colors(colors)) = (&pipeline.textures, &mut pixels) {
             let secondary = vertices.secondary(0, 0);
             for color in colors.iter_mut() {

@@ -34,7 +34,7 @@ pub(crate) struct Batch {
     /// Pixels of polygons: the pipeline's, within the viewport.
     pub(crate) polygon_region: [i32; 4],
     pub(crate) scale: WindowScale,
-    pub(crate) vertices: Processed,
+    pub(crate) vertices: Box<Processed>,
     pub(crate) bitmap: Option<Arc<Bitmap>>,
     pub(crate) image: Option<Box<PlacedImage>>,
     /// Counts the samples that pass.
@@ -46,7 +46,7 @@ impl Batch {
         pipeline: Arc<Pipeline>,
         viewport: [i32; 4],
         scale: WindowScale,
-        vertices: Processed,
+        vertices: Box<Processed>,
     ) -> Self {
         let [l, b, r, t] = pipeline.region;
         let [left, bottom, right, top] = viewport;

@@ -13,20 +13,21 @@ const LONGEST_LIST: usize = 2 * PIECES_RUN;
 /// Lists with room. Those of vertices take no more memory than the log.
 #[derive(Debug, Default)]
 pub(crate) struct Spare {
-    vertices: Vec<Processed>,
+    #[expect(clippy::vec_box, reason = "batches take them and give them back as they are")]
+    vertices: Vec<Box<Processed>>,
     pieces: Mutex<Vec<Pieces>>,
     bytes: usize,
 }
 
 impl Spare {
     /// Lists for vertices.
-    pub(crate) fn vertices(&mut self) -> Processed {
+    pub(crate) fn vertices(&mut self) -> Box<Processed> {
         let vertices = self.vertices.pop().unwrap_or_default();
         self.bytes = self.bytes.saturating_sub(vertices.bytes());
         vertices
     }
 
-    pub(crate) fn put_vertices(&mut self, vertices: Processed) {
+    pub(crate) fn put_vertices(&mut self, vertices: Box<Processed>) {
         let bytes = vertices.bytes();
         if self.bytes + bytes <= LOG_BYTES {
             self.bytes += bytes;
