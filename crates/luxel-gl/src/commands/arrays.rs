@@ -7,8 +7,7 @@ use crate::limits::{STREAM_VERTICES, TEXTURE_UNITS};
 use crate::objects::list::Command;
 use crate::state::arrays::{VertexArray, type_bytes};
 use crate::vertex::{
-    ArrayDraw, ClientMemory, Fetched, Materials, Vertices, Wanted, byte_range, decode,
-    decode_indices,
+    ArrayDraw, ClientMemory, Fetched, Materials, Wanted, byte_range, decode, decode_indices,
 };
 use std::sync::Arc;
 
@@ -478,16 +477,18 @@ impl Context {
             }
             return;
         }
-        let materials = Materials::new(self.state.materials);
-        let vertices = Vertices::of_arrays(&self.state.current, draw.vertices);
-        self.draw_vertices(draw.mode, &vertices, &materials, draw.elements.as_deref());
+        self.draw_array(&draw);
     }
 
     /// Draws vertices that a list holds.
     pub(crate) fn draw_recorded(&mut self, draw: &ArrayDraw) {
         outside_begin!(self);
+        self.draw_array(draw);
+    }
+
+    fn draw_array(&mut self, draw: &ArrayDraw) {
         let materials = Materials::new(self.state.materials);
-        let vertices = Vertices::of_arrays(&self.state.current, draw.vertices.clone());
+        let vertices = draw.vertices.view(&self.state.current);
         self.draw_vertices(draw.mode, &vertices, &materials, draw.elements.as_deref());
     }
 }

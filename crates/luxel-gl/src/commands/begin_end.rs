@@ -110,9 +110,8 @@ impl Context {
             self.draw_waiting();
         }
         let materials = Materials::new(self.state.materials);
-        let mut completed = vertices.clone();
-        completed.complete(&self.state.current);
-        self.draw_vertices(*mode, &completed, &materials, Some(elements));
+        let view = vertices.view(&self.state.current);
+        self.draw_vertices(*mode, &view, &materials, Some(elements));
         self.vertices_of_list(vertices);
     }
 
@@ -209,6 +208,7 @@ impl Context {
             vertices.push([x, y, 0.0, 1.0]);
         }
         // A quad, as in Mesa: where it is clipped, its diagonal is that of quads.
+        let vertices = vertices.view(&self.state.current);
         self.draw_vertices(gl::QUADS, &vertices, &Materials::new(self.state.materials), None);
     }
 }

@@ -12,7 +12,7 @@ use crate::primitive::{assemble, assemble_parts, parts};
 use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, PieceBuilder, Pieces, Pipeline};
 use crate::state::current::RasterPosition;
 use crate::vertex::{
-    Materials, Needs, Processed, Stream, VertexProcessor, Vertices, WindowScale, codes,
+    Materials, Needs, Processed, Stream, VertexProcessor, VertexView, Vertices, WindowScale, codes,
 };
 use std::sync::Arc;
 
@@ -29,14 +29,15 @@ impl Context {
     /// Draws what a stream has.
     pub(crate) fn draw_stream(&mut self, stream: &Stream) {
         let Stream { mode, is_listed, vertices, materials, .. } = stream;
-        self.draw_primitives((*mode, *is_listed), vertices, materials, None);
+        let vertices = vertices.view(&self.state.current);
+        self.draw_primitives((*mode, *is_listed), &vertices, materials, None);
     }
 
     /// Draws vertices in the order of elements; `None` for one after the other.
     pub(crate) fn draw_vertices(
         &mut self,
         mode: u32,
-        vertices: &Vertices,
+        vertices: &VertexView<'_>,
         materials: &Materials,
         elements: Option<&[u32]>,
     ) {
@@ -46,7 +47,7 @@ impl Context {
     fn draw_primitives(
         &mut self,
         (mode, is_listed): (u32, bool),
-        vertices: &Vertices,
+        vertices: &VertexView<'_>,
         materials: &Materials,
         elements: Option<&[u32]>,
     ) {
@@ -155,7 +156,7 @@ impl Context {
         let needs = Needs { window: true, eye: true, colors: true, textures };
         let mut vertex = Processed::default();
         VertexProcessor::new(&self.state, &self.matrices, scale, needs).process(
-            &vertices,
+            &vertices.view(&self.state.current),
             &Materials::new(self.state.materials),
             self.level,
             &mut vertex,

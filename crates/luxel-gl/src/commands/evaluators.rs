@@ -188,6 +188,7 @@ impl Context {
         for place in places {
             append(&mut vertices, &self.evaluated(place, dimensions), &self.state.current);
         }
+        let vertices = vertices.view(&self.state.current);
         self.draw_vertices(mode, &vertices, &Materials::new(self.state.materials), None);
     }
 

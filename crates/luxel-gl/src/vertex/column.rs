@@ -1,7 +1,6 @@
 //! One attribute of a run of vertices.
 
-use super::columns::load_rows;
-use luxel_math::Lanes;
+use super::view::Values;
 
 /// Values of an attribute that commands set between vertices.
 ///
@@ -128,21 +127,16 @@ impl<T: Copy> Column<T> {
         }
     }
 
-    /// Takes values of all vertices.
-    pub(super) fn replace(&mut self, values: Vec<T>) {
-        self.values = values;
-        (self.varies, self.first) = (true, 0);
-    }
-
     /// Whether all values are known, or none is.
     pub(super) fn is_known(&self) -> bool {
         !self.varies || self.first == 0
     }
 
-    /// The value of all vertices, where the run itself has set none.
-    pub(super) fn complete(&mut self, current: T) {
-        if !self.is_set {
-            self.restart(current);
+    /// The values of vertices that are all known; where the run itself has set none, what is current.
+    pub(super) fn view(&self, current: T) -> Values<'_, T> {
+        Values {
+            of_all: if self.is_set { self.now } else { current },
+            of_each: self.varies.then_some(&self.values),
         }
     }
 
@@ -157,12 +151,6 @@ impl<T: Copy> Column<T> {
     /// Gives back room that nobody needs.
     pub(super) fn shrink(&mut self) {
         self.values.shrink_to_fit();
-    }
-
-    /// The value of a vertex that is known.
-    #[inline(always)]
-    pub(crate) fn of(&self, vertex: usize) -> T {
-        if self.varies { self.values[vertex] } else { self.now }
     }
 
     /// The value of the next vertex, if one has been set.
@@ -182,20 +170,5 @@ impl<T: Copy + Bits> Column<T> {
     #[inline]
     pub(super) fn are_alike(&self, a: usize, b: usize) -> bool {
         !self.varies || self.values[a].are_alike(&self.values[b])
-    }
-}
-
-impl<const K: usize> Column<[f32; K]> {
-    /// The values of `count` vertices from `first` on, in lanes.
-    #[inline(always)]
-    pub(super) fn lanes<N: Lanes>(&self, simd: N, first: usize, count: usize) -> [N; K] {
-        if self.varies {
-            return load_rows(simd, &self.values, first, count);
-        }
-        let mut lanes = [simd; K];
-        for (lane, value) in lanes.iter_mut().zip(self.now) {
-            *lane = simd.constant(value);
-        }
-        lanes
     }
 }

@@ -6,7 +6,7 @@
 use super::columns::color_lanes;
 use super::light_setup::{LightSetup, SeparateSums, material};
 use super::materials::Materials;
-use super::vertices::Vertices;
+use super::view::VertexView;
 use crate::enums as gl;
 use crate::state::Attributes;
 use crate::state::material::{ColorMaterial, SurfaceMaterial};
@@ -61,7 +61,7 @@ impl VertexLighting {
         &self,
         place: &LitPlace<N>,
         side: usize,
-        (vertices, materials): (&Vertices, &Materials),
+        (vertices, materials): (&VertexView<'_>, &Materials),
         at: impl Fn(usize) -> usize,
     ) -> LitColors<N> {
         let simd = place.eye[0];
@@ -89,7 +89,7 @@ impl VertexLighting {
     #[inline(always)]
     fn surface(
         &self,
-        vertices: &Vertices,
+        vertices: &VertexView<'_>,
         materials: &Materials,
         side: usize,
         vertex: usize,

@@ -13,6 +13,7 @@ mod processed;
 mod stream;
 mod texgen;
 mod vertices;
+mod view;
 mod weld;
 
 pub(crate) use fetch::{ArrayDraw, Fetched, Wanted, byte_range, decode, decode_indices};
@@ -22,4 +23,5 @@ pub(crate) use process::{Needs, VertexProcessor};
 pub(crate) use processed::{Processed, WindowScale, codes};
 pub(crate) use stream::Stream;
 pub(crate) use vertices::Vertices;
+pub(crate) use view::VertexView;
 pub(crate) use weld::welded;

@@ -6,7 +6,7 @@ use super::materials::Materials;
 use super::matrix_rows::MatrixRows;
 use super::processed::{Lists, Processed, ProcessedRun, WindowScale, codes};
 use super::texgen::{CoordinateSetup, VertexPlace};
-use super::vertices::Vertices;
+use super::view::VertexView;
 use crate::enums as gl;
 use crate::limits::CLIP_PLANES;
 use crate::state::Attributes;
@@ -113,7 +113,7 @@ impl VertexProcessor {
     /// Writes what becomes of all vertices of a draw.
     pub(crate) fn process(
         &self,
-        vertices: &Vertices,
+        vertices: &VertexView<'_>,
         materials: &Materials,
         level: Level,
         processed: &mut Processed,
@@ -136,7 +136,12 @@ impl VertexProcessor {
 
     /// A run of vertices; `simd` selects the lane type.
     #[inline(always)]
-    fn run<N: Lanes>(&self, simd: N, from: (&Vertices, &Materials), out: &mut ProcessedRun<'_>) {
+    fn run<N: Lanes>(
+        &self,
+        simd: N,
+        from: (&VertexView<'_>, &Materials),
+        out: &mut ProcessedRun<'_>,
+    ) {
         let count = out.clip.len();
         for start in (0..count).step_by(LANES) {
             self.sixteen(simd, from, start, LANES.min(count - start), out);
@@ -148,7 +153,7 @@ impl VertexProcessor {
     fn sixteen<N: Lanes>(
         &self,
         simd: N,
-        (vertices, materials): (&Vertices, &Materials),
+        (vertices, materials): (&VertexView<'_>, &Materials),
         start: usize,
         count: usize,
         out: &mut ProcessedRun<'_>,
@@ -157,7 +162,7 @@ impl VertexProcessor {
         let run = start..start + count;
         // Lanes beyond the last vertex repeat it.
         let at = |lane: usize| first + lane.min(count - 1);
-        let position = load_rows(simd, &vertices.positions, first, count);
+        let position = load_rows(simd, vertices.positions, first, count);
         let clip = self.clip_from_object.times(position);
         store(&clip, &mut out.clip[run.clone()]);
         let held = match self.needs.window {
@@ -204,7 +209,7 @@ impl VertexProcessor {
                 place.normal = length.map_or(unit, |length| unit * length);
             }
             for setup in &self.textures {
-                let given = vertices.tex_coords(setup.unit).lanes(simd, first, count);
+                let given = vertices.tex_coords[setup.unit].lanes(simd, first, count);
                 let coordinates = setup.coordinates(&place, given);
                 store(&coordinates, &mut out.tex_coords[setup.unit][run.clone()]);
             }

@@ -160,6 +160,7 @@ mod tests {
         vertices.set_color([0.25; 4]);
         vertices.set_normal([1.0, 0.0, 0.0]);
         vertices.push([2.0; 4]);
+        let vertices = vertices.view(&Current::default());
         let colors = [0, 1, 2].map(|vertex| vertices.color.of(vertex)[0]);
         assert_eq!(colors, [0.5, 0.5, 0.25]);
         assert_eq!([vertices.normal.of(0)[2], vertices.normal.of(2)[0]], [1.0, 1.0]);
@@ -180,12 +181,12 @@ mod tests {
         stream.vertices.push([3.0; 4]);
         stream.vertices.append(&list);
         stream.vertices.append(&list);
-        let reds: Vec<f32> = (0..7).map(|vertex| stream.vertices.color.of(vertex)[0]).collect();
+        let vertices = stream.vertices.view(&Current::default());
+        let reds: Vec<f32> = (0..7).map(|vertex| vertices.color.of(vertex)[0]).collect();
         assert_eq!(reds, [0.5, 0.5, 0.25, 0.25, 0.25, 0.25, 0.25]);
-        let s: Vec<f32> =
-            (0..7).map(|vertex| stream.vertices.tex_coords(3).of(vertex)[0]).collect();
+        let s: Vec<f32> = (0..7).map(|vertex| vertices.tex_coords[3].of(vertex)[0]).collect();
         assert_eq!(s, [0.0, 0.0, 7.0, 7.0, 7.0, 7.0, 7.0]);
-        let x: Vec<f32> = (0..7).map(|vertex| stream.vertices.normal.of(vertex)[0]).collect();
+        let x: Vec<f32> = (0..7).map(|vertex| vertices.normal.of(vertex)[0]).collect();
         assert_eq!(x, [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
         let mut current = Current::default();
         list.put_current(&mut current);
@@ -203,7 +204,8 @@ mod tests {
         assert!(!stream.resume(gl::QUADS, false) && !stream.resume(gl::TRIANGLES, true));
         assert!(stream.resume(gl::TRIANGLES, false));
         stream.vertices.push([1.0; 4]);
-        assert_eq!([stream.vertices.color.of(2)[0], stream.vertices.color.of(3)[0]], [1.0, 0.5]);
+        let color = stream.vertices.view(&Current::default()).color;
+        assert_eq!([color.of(2)[0], color.of(3)[0]], [1.0, 0.5]);
         let mut strip = begun(gl::TRIANGLE_STRIP);
         (0..5).for_each(|_| strip.vertices.push([0.0; 4]));
         strip.end();

@@ -1,7 +1,7 @@
 //! Vertices as commands give them: positions, and the attributes that were current at each.
 
 use super::column::{Bits, Column};
-use super::fetch::Fetched;
+use super::view::{Values, VertexView};
 use crate::limits::TEXTURE_UNITS;
 use crate::state::current::Current;
 
@@ -64,28 +64,6 @@ impl Vertices {
         for (column, coordinates) in self.tex_coords.iter_mut().zip(current.tex_coords) {
             column.restart(coordinates);
         }
-    }
-
-    /// The vertices of arrays; what has no array is what is current.
-    pub(crate) fn of_arrays(current: &Current, fetched: Fetched) -> Self {
-        fn replace<T: Copy>(column: &mut Column<T>, values: Option<Vec<T>>) {
-            if let Some(values) = values {
-                column.replace(values);
-            }
-        }
-        let mut vertices = Self::default();
-        vertices.restart(current);
-        vertices.positions = fetched.positions;
-        replace(&mut vertices.normal, fetched.normals);
-        replace(&mut vertices.color, fetched.colors);
-        replace(&mut vertices.secondary, fetched.secondary);
-        replace(&mut vertices.edge_flag, fetched.edge_flags);
-        replace(&mut vertices.fog_coord, fetched.fog_coords);
-        for (unit, values) in fetched.tex_coords.into_iter().enumerate() {
-            replace(&mut vertices.tex_coords[unit], values);
-        }
-        vertices.note_varying();
-        vertices
     }
 
     /// How many vertices there are.
@@ -206,12 +184,6 @@ impl Vertices {
         self.has_attributes = true;
     }
 
-    /// Texture coordinates of a unit.
-    #[inline]
-    pub(crate) fn tex_coords(&self, unit: usize) -> &Column<[f32; 4]> {
-        &self.tex_coords[unit]
-    }
-
     /// Appends the vertices of a display list, and takes its attributes: what it hasn't set is what these have.
     pub(crate) fn append(&mut self, other: &Self) {
         let (count, more) = (self.len(), other.len());
@@ -296,18 +268,23 @@ impl Vertices {
         }
     }
 
-    /// Gives vertices of a display list what is current, where the list itself has set nothing.
-    pub(crate) fn complete(&mut self, current: &Current) {
-        self.color.complete(current.color);
-        self.secondary.complete(current.secondary);
-        self.normal.complete(current.normal);
-        self.fog_coord.complete(current.fog_coord);
-        self.edge_flag.complete(current.edge_flag);
-        self.tex_coords.resize_with(TEXTURE_UNITS, Column::default);
-        for (column, coordinates) in self.tex_coords.iter_mut().zip(current.tex_coords) {
-            column.complete(coordinates);
+    /// The vertices; attributes that the run itself has not set, as a display list's may be, are what is current.
+    pub(crate) fn view(&self, current: &Current) -> VertexView<'_> {
+        let of_unit = |unit: usize| {
+            let now = current.tex_coords[unit];
+            self.tex_coords
+                .get(unit)
+                .map_or(Values { of_all: now, of_each: None }, |column| column.view(now))
+        };
+        VertexView {
+            positions: &self.positions,
+            color: self.color.view(current.color),
+            secondary: self.secondary.view(current.secondary),
+            normal: self.normal.view(current.normal),
+            fog_coord: self.fog_coord.view(current.fog_coord),
+            edge_flag: self.edge_flag.view(current.edge_flag),
+            tex_coords: std::array::from_fn(of_unit),
         }
-        self.note_varying();
     }
 
     /// Keeps the first vertices.

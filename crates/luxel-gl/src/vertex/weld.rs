@@ -60,6 +60,8 @@ mod tests {
         let (welded, elements) = welded(&run).unwrap();
         assert_eq!((welded.len(), elements.len()), (6, 900));
         let unwelded = welded.gathered(&elements);
+        let current = Current::default();
+        let (unwelded, run) = (unwelded.view(&current), run.view(&current));
         for vertex in 0..900 {
             assert_eq!(unwelded.positions[vertex], run.positions[vertex]);
             assert_eq!(unwelded.normal.of(vertex), run.normal.of(vertex));
@@ -94,9 +96,9 @@ mod tests {
         assert!(welded(&run).is_none());
         let mut constant = Vertices::default();
         (0..9).for_each(|_| constant.push([0.0; 4]));
-        let (mut welded, elements) = welded(&constant).unwrap();
-        welded.complete(&Current { color: [0.5; 4], ..Current::default() });
+        let (welded, elements) = welded(&constant).unwrap();
         assert_eq!((welded.len(), elements.len()), (1, 9));
-        assert_eq!(welded.color.of(0), [0.5; 4]);
+        let current = Current { color: [0.5; 4], ..Current::default() };
+        assert_eq!(welded.view(&current).color.of(0), [0.5; 4]);
     }
 }
