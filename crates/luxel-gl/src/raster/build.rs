@@ -6,7 +6,7 @@ use super::draw_state::DrawState;
 use super::pieces::{Pieces, Shade};
 use super::placement::{Plane, area, depth_offset, polygon_area, slope_of, window_of};
 use super::shape::Shape;
-use super::triangle_group::{TriangleGroup, WaitingTriangle};
+use super::triangle_group::TriangleGroup;
 use crate::enums as gl;
 use crate::primitive::{ClipCorner, Visitor, clip_polygon};
 use crate::vertex::codes;
@@ -120,8 +120,8 @@ impl<'a> PieceBuilder<'a> {
 
     /// A filled triangle; its side, if that is known.
     #[inline]
-    fn fill(&mut self, corners: [u32; 3], flat: Option<u32>, facing: Option<usize>) {
-        if self.waiting.push(WaitingTriangle { corners, flat, facing }) {
+    fn fill(&mut self, corners: [u32; 3], provoking: u32, facing: Option<usize>) {
+        if self.waiting.push(corners, provoking, facing) {
             self.make_waiting();
         }
     }
@@ -135,9 +135,10 @@ impl<'a> PieceBuilder<'a> {
         let (state, batch) = (self.state, self.batch);
         let placed = dispatch_long!(self.level, simd => self.waiting.placed(simd, state, batch));
         for lane in lanes_of(placed.drawn) {
-            let WaitingTriangle { corners, flat, facing } = self.waiting.triangle(lane);
+            let (corners, provoking) = self.waiting.triangle(lane);
+            let flat = state.flat.then_some(provoking);
             if placed.clipped >> lane & 1 == 1 {
-                self.clip_filled(corners, flat, facing);
+                self.clip_filled(corners, flat, self.waiting.facing(lane));
                 continue;
             }
             let side = self.state.color_side(placed.side(lane)) as u8;
@@ -260,14 +261,14 @@ impl Visitor for PieceBuilder<'_> {
             }
         }
         for fan in state.fans(&self.batch.vertices, corners, provoking) {
-            self.fill(fan.map(|at| corners[at]), flat, Some(side));
+            self.fill(fan.map(|at| corners[at]), provoking, Some(side));
         }
     }
 
     #[inline]
     fn triangle(&mut self, corners: [u32; 3], provoking: u32, flagged: bool) {
         if self.is_filled {
-            self.fill(corners, self.state.flat.then_some(provoking), None);
+            self.fill(corners, provoking, None);
         } else {
             self.polygon(&corners, provoking, flagged);
         }

@@ -10,18 +10,15 @@ use luxel_math::{
 };
 use luxel_visibility::TILE;
 
-/// A triangle as it was given: its vertices, the one whose colour flat shading takes, and its side if that is known.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct WaitingTriangle {
-    pub(super) corners: [u32; 3],
-    pub(super) flat: Option<u32>,
-    pub(super) facing: Option<usize>,
-}
-
-/// Up to sixteen triangles.
+/// Up to sixteen triangles as they were given.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct TriangleGroup {
-    triangles: [WaitingTriangle; LANES],
+    corners: [[u32; 3]; LANES],
+    /// The vertices whose colours flat shading takes.
+    provoking: [u32; LANES],
+    /// Those whose side is known, a bit each; and those among them that show their back.
+    known: u32,
+    known_backs: u32,
     count: usize,
 }
 
@@ -60,20 +57,36 @@ impl TriangleGroup {
     }
 
     pub(super) fn clear(&mut self) {
-        self.count = 0;
+        (self.known, self.known_backs, self.count) = (0, 0, 0);
     }
 
-    /// A triangle of the group.
+    /// A triangle's vertices, and the one whose colour flat shading takes.
     #[inline(always)]
-    pub(super) fn triangle(&self, lane: usize) -> WaitingTriangle {
-        self.triangles[lane & (LANES - 1)]
+    pub(super) fn triangle(&self, lane: usize) -> ([u32; 3], u32) {
+        let lane = lane & (LANES - 1);
+        (self.corners[lane], self.provoking[lane])
     }
 
-    /// Takes a triangle; whether the group is full now.
+    /// A triangle's side, if it is known.
+    pub(super) fn facing(&self, lane: usize) -> Option<usize> {
+        (self.known >> lane & 1 == 1).then_some((self.known_backs >> lane & 1) as usize)
+    }
+
+    /// Takes a triangle, with its side if that is known; whether the group is full now.
     #[inline(always)]
-    pub(super) fn push(&mut self, triangle: WaitingTriangle) -> bool {
+    pub(super) fn push(
+        &mut self,
+        corners: [u32; 3],
+        provoking: u32,
+        facing: Option<usize>,
+    ) -> bool {
         let lane = self.count & (LANES - 1);
-        self.triangles[lane] = triangle;
+        self.corners[lane] = corners;
+        self.provoking[lane] = provoking;
+        if let Some(side) = facing {
+            self.known |= 1 << lane;
+            self.known_backs |= (side as u32) << lane;
+        }
         self.count = lane + 1;
         self.count == LANES
     }
@@ -85,19 +98,16 @@ impl TriangleGroup {
         let [mut xs, mut ys] = [[[0; LANES]; 3]; 2];
         // Codes that any corner has, and those that all have.
         let (mut any, mut all) = ([0; LANES], [0; LANES]);
-        let (mut known, mut known_backs) = (0, 0);
-        for (lane, triangle) in self.triangles[..self.count].iter().enumerate() {
-            let corners = triangle.corners;
+        let Self { known, known_backs, .. } = *self;
+        for (lane, corners) in self.corners[..self.count].iter().enumerate() {
             let [mut any_of, mut all_of] = [0, u16::MAX];
-            for (corner, vertex) in corners.into_iter().enumerate() {
+            for (corner, &vertex) in corners.iter().enumerate() {
                 let place = &vertices.window[vertex as usize];
                 let code = vertices.codes[vertex as usize];
                 (xs[corner][lane], ys[corner][lane]) = (place.x, place.y);
                 (any_of, all_of) = (any_of | code, all_of & code);
             }
             (any[lane], all[lane]) = (i32::from(any_of), i32::from(all_of));
-            known |= u32::from(triangle.facing.is_some()) << lane;
-            known_backs |= (triangle.facing.unwrap_or(0) as u32) << lane;
         }
         let any = i32x16::from_slice(simd, &any);
         let all = i32x16::from_slice(simd, &all);
