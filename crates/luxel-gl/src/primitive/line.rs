@@ -31,15 +31,23 @@ pub(crate) struct LineWalk {
     delta: [i64; 2],
 }
 
+/// The axis that a line runs more along: 0 for x, 1 for y.
+#[inline(always)]
+pub(crate) fn major_axis(from: [i32; 2], to: [i32; 2]) -> usize {
+    let [across, up] = [to[0].abs_diff(from[0]), to[1].abs_diff(from[1])];
+    usize::from(up > across)
+}
+
 impl LineWalk {
+    #[inline]
     pub(crate) fn new(from: [i32; 2], to: [i32; 2]) -> Self {
+        let major = major_axis(from, to);
         let finer = |place: [i32; 2]| {
             let [x, y] = place.map(|at| i64::from(at) * FINER);
             [x - MOVED[0], y - MOVED[1]]
         };
         let (from, to) = (finer(from), finer(to));
         let delta = [to[0] - from[0], to[1] - from[1]];
-        let major = usize::from(delta[1].abs() > delta[0].abs());
         let along = |pair: [i64; 2]| chosen(pair, major);
         let (start, end) = (along(from), along(to));
         let step = if end < start { -1 } else { 1 };

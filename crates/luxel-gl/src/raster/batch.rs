@@ -191,7 +191,7 @@ impl Batch {
                     line.places.map(|end| end.map(|at| f64::from(at) / f64::from(SUBPIXELS)));
                 let mut way = [places[1][0] - places[0][0], places[1][1] - places[0][1]];
                 if matches!(shape, Shape::Line { .. }) {
-                    way[1 - line.walk().major] = 0.0;
+                    way[1 - line.major()] = 0.0;
                 }
                 prepared.weigh_along(places[0], way, line.w);
                 self.put_rows(prepared, rows, |row| {

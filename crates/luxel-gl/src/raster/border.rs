@@ -61,14 +61,16 @@ impl PieceBuilder<'_> {
             Shape::Band { line, width: self.state.line_size, counter: Some(counter) }
         } else {
             // A wide line is shifted across by (width - 1) / 2 (section 3.4.2).
-            let (width, minor) = (whole_size(self.state.line_size), 1 - line.walk().major);
+            let (width, minor) = (whole_size(self.state.line_size), 1 - line.major());
             for place in &mut line.places {
                 place[minor] -= (width - 1) * (SUBPIXELS / 2);
             }
             Shape::Line { line, width, counter }
         };
         self.put(shape, shade, offset, deepest(&[from, to]));
-        self.counter = counter.wrapping_add(line.walk().count as u32);
+        if self.batch.pipeline.line_stipple.is_some() {
+            self.counter = counter.wrapping_add(line.walk().count as u32);
+        }
     }
 
     /// A point at a vertex.

@@ -1,7 +1,7 @@
 //! What covers pixels.
 
 use super::smooth::Figure;
-use crate::primitive::line::LineWalk;
+use crate::primitive::line::{LineWalk, major_axis};
 use luxel_visibility::{DepthPlane, Triangle};
 
 /// The two ends of a line that clipping has left.
@@ -16,7 +16,14 @@ pub(crate) struct LineEnds {
 }
 
 impl LineEnds {
+    /// The axis that the line runs more along: 0 for x, 1 for y.
+    #[inline(always)]
+    pub(crate) fn major(&self) -> usize {
+        major_axis(self.places[0], self.places[1])
+    }
+
     /// The fragments of the line.
+    #[inline]
     pub(crate) fn walk(&self) -> LineWalk {
         LineWalk::new(self.places[0], self.places[1])
     }

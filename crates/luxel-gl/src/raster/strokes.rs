@@ -16,13 +16,13 @@ pub(super) fn line<S: Simd>(
 ) {
     let LineEnds { places: ends, depths, .. } = *of;
     let walk = of.walk();
-    let major = walk.major;
     // A column across.
-    let across = if major == 0 { [0, 1] } else { [1, 0] };
-    let length = (ends[1][major] - ends[0][major]) as f32;
+    let across = if walk.major == 0 { [0, 1] } else { [1, 0] };
+    // By the axis from two values: one by its number would go through memory.
+    let along = |[x, y]: [i32; 2]| if walk.major == 0 { x } else { y };
+    let length = (along(ends[1]) - along(ends[0])) as f32;
     let slope = if length == 0.0 { 0.0 } else { (depths[1] - depths[0]) / length };
-    let mut slopes = [0.0; 2];
-    slopes[major] = slope;
+    let slopes = if walk.major == 0 { [slope, 0.0] } else { [0.0, slope] };
     let plane = DepthPlane {
         x: ends[0][0],
         y: ends[0][1],
@@ -33,7 +33,7 @@ pub(super) fn line<S: Simd>(
         high: depths[0].max(depths[1]),
     };
     // Fragments within the tile along the major axis.
-    let low = sink.origin[major];
+    let low = along(sink.origin);
     let bounds = if walk.step > 0 {
         [low - walk.first, low + TILE - walk.first]
     } else {
