@@ -2,8 +2,9 @@
 //!
 //! 1. `pipeline`: all state of fragments; `batch`: what the primitives of one draw have in common; `pieces`: the parts of
 //!    these, with their `shape`.
-//! 2. `build`: culls and clips primitives, and makes pieces of them (`border`: of lines and points, `smooth_fill`: of smooth
-//!    polygons), by `draw_state`, where `placement` has them in the window.
+//! 2. `build`: culls and clips primitives, and makes pieces of them (`triangle_group`: of sixteen triangles at a time;
+//!    `border`: of lines and points, `smooth_fill`: of smooth polygons), by `draw_state`, where `placement` has them in the
+//!    window.
 //! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
 //!    memory.
 //! 4. `tile`: takes one tile's list in order, `tile_samples` its pieces, `piece_sink` the samples of one (`strokes`: of
