@@ -15,7 +15,7 @@ use crate::state::matrices::Matrices;
 use crate::state::pixel::Client;
 use crate::state::transfer::PixelMaps;
 use crate::texture::{TextureImage, Textures};
-use crate::vertex::Stream;
+use crate::vertex::{Stream, Vertices};
 use luxel_math::{Level, SimdLevel};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -70,6 +70,8 @@ pub struct Context {
     /// The default framebuffer, while an object is drawn to.
     pub(crate) parked: Framebuffer,
     pub(crate) list: Option<OpenList>,
+    /// Memory for vertices of the next list, which the system doesn't have to clear again.
+    pub(crate) list_room: Vertices,
     /// How many lists call one another at the moment.
     pub(crate) nesting: usize,
     /// Commands that lists may still execute in this call.
@@ -132,6 +134,7 @@ impl Context {
             accumulation: Vec::new(),
             parked: Framebuffer::default(),
             list: None,
+            list_room: Vertices::default(),
             nesting: 0,
             executable: 0,
             render_mode: gl::RENDER,

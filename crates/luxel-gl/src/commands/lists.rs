@@ -3,7 +3,7 @@
 use crate::Context;
 use crate::context::{compile, demand, outside_begin};
 use crate::enums as gl;
-use crate::limits::{EXECUTED_COMMANDS, LIST_NESTING};
+use crate::limits::{EXECUTED_COMMANDS, LIST_NESTING, LOG_BYTES};
 use crate::objects::list::{Command, OpenList, list_offsets};
 
 impl Context {
@@ -14,7 +14,8 @@ impl Context {
         let is_mode = matches!(mode, gl::COMPILE | gl::COMPILE_AND_EXECUTE);
         demand!(self, is_mode, gl::INVALID_ENUM);
         demand!(self, self.list.is_none(), gl::INVALID_OPERATION);
-        self.list = Some(OpenList::new(name, mode));
+        let room = std::mem::take(&mut self.list_room);
+        self.list = Some(OpenList::new(name, mode, room));
     }
 
     /// `glEndList`: the list takes the place of an earlier one of its name.
@@ -25,7 +26,11 @@ impl Context {
             return;
         };
         let name = list.name;
-        let put = list.finish().and_then(|list| self.lists().put(name, list));
+        let (list, room) = list.finish();
+        if room.bytes() <= LOG_BYTES {
+            self.list_room = room;
+        }
+        let put = list.and_then(|list| self.lists().put(name, list));
         if let Err(error) = put {
             self.error.set(error);
         }

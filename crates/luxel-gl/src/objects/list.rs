@@ -150,43 +150,43 @@ pub(crate) struct OpenList {
     pub(crate) name: u32,
     pub(crate) mode: u32,
     commands: Vec<Command>,
-    /// What comes after the last command.
+    /// What comes after the last command. Its memory may be another list's.
     run: Vertices,
     /// Commands of the API, but for those of the run.
     count: usize,
 }
 
 impl OpenList {
-    pub(crate) fn new(name: u32, mode: u32) -> Self {
-        Self { name, mode, commands: Vec::new(), run: Vertices::default(), count: 0 }
+    /// An empty list; its vertices come first into the memory of `room`.
+    pub(crate) fn new(name: u32, mode: u32, mut room: Vertices) -> Self {
+        room.clear();
+        Self { name, mode, commands: Vec::new(), run: room, count: 0 }
     }
 
     /// Appends a command. `GL_OUT_OF_MEMORY` if the list is too long.
     pub(crate) fn push(&mut self, command: Command) -> Result<(), u32> {
-        self.close_run()?;
-        let ends = matches!(command, Command::End);
-        self.append(command)?;
-        if ends {
-            self.weld();
+        if matches!(command, Command::End)
+            && let Some(primitives) = self.welded()
+        {
+            // It takes the place of the `glBegin`.
+            self.count -= 1;
+            self.commands.pop();
+            self.run.clear();
+            return self.append(Command::Primitives(Box::new(primitives)));
         }
-        Ok(())
+        self.close_run()?;
+        self.append(command)
     }
 
-    /// Makes one command of many primitives that have just ended, if vertices are repeated in them.
-    fn weld(&mut self) {
-        let [.., Command::Begin(mode), Command::Vertices(run), Command::End] = &*self.commands
-        else {
-            return;
-        };
+    /// Many primitives that are about to end, as one command, if vertices are repeated in them.
+    fn welded(&self) -> Option<Primitives> {
+        let &Command::Begin(mode) = self.commands.last()? else { return None };
         // Fewer wait for others of their kind when the list is called, and are drawn with these.
-        if *mode > gl::POLYGON || run.len() < WAITING_VERTICES {
-            return;
+        if mode > gl::POLYGON || self.run.len() < WAITING_VERTICES {
+            return None;
         }
-        if let Some((vertices, elements)) = welded(run) {
-            let primitives = Primitives { mode: *mode, vertices, elements };
-            self.commands.truncate(self.commands.len() - 3);
-            self.commands.push(Command::Primitives(Box::new(primitives)));
-        }
+        let (vertices, elements) = welded(&self.run)?;
+        Some(Primitives { mode, vertices, elements })
     }
 
     fn append(&mut self, command: Command) -> Result<(), u32> {
@@ -202,6 +202,9 @@ impl OpenList {
     /// Appends a vertex with the attributes of now.
     #[inline]
     pub(crate) fn vertex(&mut self, position: [f32; 4]) -> Result<(), u32> {
+        if self.run.push_usual(position, PART_VERTICES - 1) {
+            return Ok(());
+        }
         self.run.push(position);
         if self.run.len() >= PART_VERTICES { self.close_run() } else { Ok(()) }
     }
@@ -223,10 +226,11 @@ impl OpenList {
         self.append(Command::Vertices(Box::new(run)))
     }
 
-    /// The commands of the list.
-    pub(crate) fn finish(mut self) -> Result<List, u32> {
-        self.close_run()?;
-        Ok(List { commands: self.commands.into(), count: self.count })
+    /// The commands of the list; and the memory of vertices for the next one.
+    pub(crate) fn finish(mut self) -> (Result<List, u32>, Vertices) {
+        let closed = self.close_run();
+        let Self { commands, run, count, .. } = self;
+        (closed.map(|()| List { commands: commands.into(), count }), run)
     }
 }
 

@@ -36,7 +36,8 @@ impl Bits for bool {
 
 impl<T: Bits, const N: usize> Bits for [T; N] {
     fn are_alike(&self, other: &Self) -> bool {
-        self.iter().zip(other).all(|(own, other)| own.are_alike(other))
+        // Without a way out: all are compared at once.
+        self.iter().zip(other).fold(true, |alike, (own, other)| alike & own.are_alike(other))
     }
 }
 
@@ -146,6 +147,11 @@ impl<T: Copy> Column<T> {
         let values = places.iter().map(|&place| self.values[place as usize]).collect();
         let Self { now, is_set, varies, .. } = *self;
         Self { now, is_set, varies, first: 0, values }
+    }
+
+    /// Bytes that it has room for.
+    pub(super) fn bytes(&self) -> usize {
+        self.values.capacity() * size_of::<T>()
     }
 
     /// Gives back room that nobody needs.

@@ -287,6 +287,24 @@ impl Vertices {
         }
     }
 
+    /// Forgets all vertices and attributes, but not the room for them.
+    pub(crate) fn clear(&mut self) {
+        self.positions.clear();
+        each_column!(self, column => column.clear());
+        (self.varying, self.has_attributes) = (0, false);
+    }
+
+    /// Bytes that it has room for.
+    pub(crate) fn bytes(&self) -> usize {
+        self.positions.capacity() * size_of::<[f32; 4]>()
+            + self.color.bytes()
+            + self.secondary.bytes()
+            + self.normal.bytes()
+            + self.fog_coord.bytes()
+            + self.edge_flag.bytes()
+            + self.tex_coords.iter().map(Column::bytes).sum::<usize>()
+    }
+
     /// Keeps the first vertices.
     pub(crate) fn truncate(&mut self, count: usize) {
         self.positions.truncate(count);
