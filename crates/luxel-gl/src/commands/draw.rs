@@ -6,7 +6,7 @@ use crate::context::{compile, outside_begin};
 use crate::enums as gl;
 use crate::fragment::TextureStages;
 use crate::limits::TEXTURE_UNITS;
-use crate::modes::{FeedbackVisitor, HitVisitor};
+use crate::modes::{FeedbackVisitor, HitVisitor, MOST_SPARE};
 use crate::objects::list::Command;
 use crate::primitive::{assemble, assemble_parts, parts};
 use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, PieceBuilder, Pieces, Pipeline};
@@ -15,6 +15,9 @@ use crate::vertex::{
     Materials, Needs, Processed, Stream, VertexProcessor, VertexView, Vertices, WindowScale, codes,
 };
 use std::sync::Arc;
+
+/// Primitives that become feedback before it is appended to the buffer: as many runs as are kept for the next ones.
+const FEEDBACK_WAVE: usize = MOST_SPARE * PIECES_RUN;
 
 impl Context {
     /// Draws what waits.
@@ -80,14 +83,21 @@ impl Context {
                 );
                 let window = self.state.window_transform();
                 let parts = parts(mode, elements.map_or(count, <[u32]>::len));
-                let feedback = &self.feedback;
-                let runs = luxel_parallel::map(parts, PIECES_RUN, &|run| {
-                    let part = feedback.part();
-                    let mut visitor = FeedbackVisitor::new(&state, &processed, window, part);
-                    assemble_parts(mode, count, elements, run, &mut visitor);
-                    Some(visitor.finish())
-                });
-                self.feedback.append(runs.into_iter().flatten());
+                // In waves, so that parts take no more memory than the buffer has room for, and a little.
+                for start in (0..parts).step_by(FEEDBACK_WAVE) {
+                    if self.feedback.is_full() {
+                        break;
+                    }
+                    let (feedback, length) = (&self.feedback, FEEDBACK_WAVE.min(parts - start));
+                    let runs = luxel_parallel::map(length, PIECES_RUN, &|run| {
+                        let part = feedback.part();
+                        let mut visitor = FeedbackVisitor::new(&state, &processed, window, part);
+                        let run = start + run.start..start + run.end;
+                        assemble_parts(mode, count, elements, run, &mut visitor);
+                        Some(visitor.finish())
+                    });
+                    self.feedback.append(runs.into_iter().flatten());
+                }
                 self.log.spare().put_vertices(processed);
             }
             _ => {

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// Buffers of parts that are kept for the next ones, which is memory that the system doesn't have to clear again; and how
 /// many values these have room for.
-const MOST_SPARE: usize = 64;
+pub(crate) const MOST_SPARE: usize = 64;
 const LARGEST_SPARE: usize = 1 << 17;
 
 /// The buffer that a program has given, and what is in it.
@@ -71,6 +71,11 @@ impl FeedbackMode {
         let Some(buffer) = self.buffer.take() else { return (0, Vec::new()) };
         let count = i32::try_from(buffer.count()).unwrap_or(i32::MAX);
         (count, buffer.into_values())
+    }
+
+    /// Whether some values had no room: those that come have none either.
+    pub(crate) fn is_full(&self) -> bool {
+        self.buffer.as_ref().is_none_or(|buffer| buffer.count() < 0)
     }
 
     /// An empty buffer like that of the mode, for a part of what comes next; of any thread.

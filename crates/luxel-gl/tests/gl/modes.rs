@@ -226,6 +226,27 @@ fn section_5_3_many_polygons_are_in_the_order_of_calls_up_to_the_end_of_the_buff
 }
 
 #[test]
+fn section_5_3_very_many_points_are_all_there_in_order() {
+    const COUNT: usize = 140_000;
+    let mut context = canvas(100, 50);
+    context.feedback_buffer(1 << 21, 0x0602);
+    context.render_mode(gl::FEEDBACK);
+    context.begin(gl::POINTS);
+    for number in 0..COUNT {
+        context.color([number as f32 / (1 << 18) as f32, 0.0, 0.0, 1.0]);
+        context.vertex([1.0, 1.0, 0.0, 1.0]);
+    }
+    context.end();
+    let Words::Feedback(values) = context.render_mode(gl::RENDER).words else {
+        panic!("no values")
+    };
+    assert_eq!(values.len(), 8 * COUNT);
+    for (number, point) in values.as_chunks::<8>().0.iter().enumerate() {
+        assert_eq!([point[0], point[4]], [1793.0, number as f32 / (1 << 18) as f32]);
+    }
+}
+
+#[test]
 fn section_5_3_the_mode_of_polygons_and_edge_flags_decide_about_tokens() {
     let mut context = canvas(100, 50);
     context.polygon_mode(0x0408, 0x1B01);

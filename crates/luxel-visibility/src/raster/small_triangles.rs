@@ -20,7 +20,7 @@ pub trait SmallSink<I> {
 /// A sample each of up to sixteen triangles, lane by lane.
 #[derive(Clone, Copy)]
 pub struct SmallSamples<'q, S: Simd, I> {
-    /// The triangles.
+    /// The triangles, by what they were given with.
     pub ids: &'q [I; LANES],
     /// The lanes whose triangle covers its sample, a bit each.
     pub covered: u32,
@@ -66,7 +66,7 @@ impl<S: Simd, I> SmallSamples<'_, S, I> {
 pub struct SampleGrid<'o> {
     /// The tile's pixels: 64 or fewer each way.
     pub region: Region,
-    /// Where the samples of a pixel lie.
+    /// Where the samples of a pixel lie, in steps of 1/256 pixel from its corner.
     pub offsets: &'o [[i32; 2]],
 }
 
