@@ -20,7 +20,7 @@ impl SmallSink<TriangleId> for BufferSink<'_> {
         let mut left = samples.covered;
         let places = samples.places();
         if rules.behind.is_none() && rules.holes.is_none() {
-            // Nearly always. Only of equally near ones more is asked.
+            // Nearly always. Only between equally near ones more than depth decides.
             let mut rest = samples.covered;
             left = 0;
             let Plane { depth, ids } = &mut tile.planes[samples.sample];
@@ -45,7 +45,7 @@ impl SmallSink<TriangleId> for BufferSink<'_> {
     }
 }
 
-/// Puts those of which more has to be asked: a function of its own, as it is rarely called.
+/// Puts those about which more than depth decides: a function of its own, as it is rarely called.
 #[inline(never)]
 fn put_rest<S: Simd>(
     samples: &SmallSamples<'_, S, TriangleId>,
