@@ -6,7 +6,7 @@ use crate::context::{compile, outside_begin};
 use crate::enums as gl;
 use crate::fragment::TextureStages;
 use crate::limits::TEXTURE_UNITS;
-use crate::modes::{FeedbackVisitor, HitVisitor, MOST_SPARE};
+use crate::modes::{FEEDBACK_PARTS, FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
 use crate::primitive::{assemble, assemble_parts, parts};
 use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, PieceBuilder, Pieces, Pipeline};
@@ -16,8 +16,8 @@ use crate::vertex::{
 };
 use std::sync::Arc;
 
-/// Primitives that become feedback before it is appended to the buffer: as many runs as are kept for the next ones.
-const FEEDBACK_WAVE: usize = MOST_SPARE * PIECES_RUN;
+/// Primitives that become feedback before it is appended to the buffer.
+const FEEDBACK_WAVE: usize = FEEDBACK_PARTS * PIECES_RUN;
 
 impl Context {
     /// Draws what waits.

@@ -4,9 +4,10 @@ use crate::enums as gl;
 use luxel_pick::{Feedback, FeedbackBuffer, FeedbackType};
 use std::sync::{Mutex, PoisonError};
 
-/// Buffers of parts that are kept for the next ones, which is memory that the system doesn't have to clear again; and how
-/// many values these have room for.
-pub(crate) const MOST_SPARE: usize = 64;
+/// Buffers of parts that are written at a time, and kept for the next ones: memory that the system doesn't have to clear
+/// again.
+pub(crate) const FEEDBACK_PARTS: usize = 64;
+/// Values that a buffer has room for, if it is kept.
 const LARGEST_SPARE: usize = 1 << 17;
 
 /// The buffer that a program has given, and what is in it.
@@ -90,7 +91,7 @@ impl FeedbackMode {
         let spare = self.spare.get_mut().unwrap_or_else(PoisonError::into_inner);
         for mut part in parts {
             buffer.append(&part);
-            if spare.len() < MOST_SPARE && part.capacity() <= LARGEST_SPARE {
+            if spare.len() < FEEDBACK_PARTS && part.capacity() <= LARGEST_SPARE {
                 part.clear();
                 spare.push(part);
             }

@@ -5,7 +5,7 @@ mod hits;
 mod select;
 mod tokens;
 
-pub(crate) use feedback::{FeedbackMode, MOST_SPARE};
+pub(crate) use feedback::{FEEDBACK_PARTS, FeedbackMode};
 pub(crate) use hits::HitVisitor;
 pub(crate) use select::{NameChange, SelectionMode};
 pub(crate) use tokens::FeedbackVisitor;

@@ -73,14 +73,10 @@ impl Batch {
     /// The planes that its fragments are tested by or written to.
     #[inline(always)]
     pub(super) fn uses(&self) -> Uses {
-        let pipeline = &*self.pipeline;
         // Images of depths and of stencil values are written whatever the tests are.
         let all = self.image.is_some();
-        Uses {
-            color: pipeline.color_bits != 0,
-            depth: all || pipeline.depth.is_some(),
-            stencil: all || pipeline.stencil.is_some(),
-        }
+        let Uses { color, depth, stencil } = self.pipeline.uses();
+        Uses { color, depth: all || depth, stencil: all || stencil }
     }
 
     /// Takes a bitmap with its lower left corner at a pixel, in the colours of the batch's first vertex.

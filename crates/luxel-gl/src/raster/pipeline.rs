@@ -1,5 +1,6 @@
 //! The state of fragments of one draw, all of it: equal state is one pipeline.
 
+use super::framebuffer::Uses;
 use super::samples::Multisample;
 use crate::enums as gl;
 use crate::fragment::TextureStages;
@@ -111,6 +112,16 @@ impl Pipeline {
                 alpha_to_one: has(gl::SAMPLE_ALPHA_TO_ONE),
                 coverage: has(gl::SAMPLE_COVERAGE).then_some(state.sample_coverage.0),
             }),
+        }
+    }
+
+    /// The planes that fragments are tested by or written to.
+    #[inline(always)]
+    pub(super) fn uses(&self) -> Uses {
+        Uses {
+            color: self.color_bits != 0,
+            depth: self.depth.is_some(),
+            stencil: self.stencil.is_some(),
         }
     }
 

@@ -39,7 +39,7 @@ impl Multisample {
 
 /// Where a sample lies: at the centre, unless polygons are drawn sample by sample.
 pub(super) fn offset(multisample: Option<&Multisample>, sample: usize) -> [i32; 2] {
-    multisample.map_or(CENTRE, |_| FOUR[sample % SAMPLES])
+    offsets(multisample, SAMPLES)[sample % SAMPLES]
 }
 
 /// Where `count` samples lie, each by [`offset`].

@@ -5,7 +5,6 @@
 //! their calls, until something else is drawn.
 
 use super::batch::Batch;
-use super::framebuffer::Uses;
 use super::piece_sink::Tests;
 use super::pipeline::Pipeline;
 use super::samples::offsets;
@@ -21,7 +20,7 @@ use luxel_visibility::{
 /// Triangles that wait, all of one pipeline.
 pub(super) struct SmallPieces<'a> {
     stream: TriangleStream<u32>,
-    /// The last batch that was asked about.
+    /// The batch that came last.
     batch: Option<&'a Batch>,
     /// What decides about its triangles, and about those that wait; `None` if none may wait.
     nearest: Option<Nearest<'a>>,
@@ -80,13 +79,14 @@ impl<'a> SmallPieces<'a> {
         samples: &mut TileSamples<'a>,
     ) -> bool {
         if !self.batch.is_some_and(|last| std::ptr::eq(last, batch)) {
-            self.ask(simd, batch, samples);
+            self.change_batch(simd, batch, samples);
         }
         self.nearest.is_some()
     }
 
+    /// Goes on with another batch, after drawing what waits if that has another pipeline.
     #[inline(never)]
-    fn ask<S: Simd>(&mut self, simd: S, batch: &'a Batch, samples: &mut TileSamples<'a>) {
+    fn change_batch<S: Simd>(&mut self, simd: S, batch: &'a Batch, samples: &mut TileSamples<'a>) {
         let nearest = Nearest::of(batch, samples);
         let pipeline = |of: &Nearest<'a>| std::ptr::from_ref(of.pipeline);
         if nearest.as_ref().map(pipeline) != self.nearest.as_ref().map(pipeline) {
@@ -95,7 +95,7 @@ impl<'a> SmallPieces<'a> {
         (self.batch, self.nearest) = (Some(batch), nearest);
     }
 
-    /// Takes a triangle of the last batch that was asked about.
+    /// Takes a triangle of the batch that came last.
     #[inline(always)]
     pub(super) fn push<S: Simd>(
         &mut self,
@@ -167,7 +167,7 @@ impl StreamSink<u32> for NearestSink<'_, '_> {
         let limits = self.samples.all();
         let tests = Tests {
             pipeline,
-            uses: Uses { color: self.nearest.sees, depth: true, stencil: false },
+            uses: pipeline.uses(),
             limits,
             plain: true,
             stipple: None,

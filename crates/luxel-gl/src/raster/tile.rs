@@ -203,26 +203,20 @@ fn clear_all(planes: &mut TilePlanes<'_>, seen: Option<&mut Vec<Seen>>, clear: &
         if let Some(seen) = seen {
             seen.as_flattened_mut().as_flattened_mut().fill(0);
         }
-        planes
-            .color
-            .iter_mut()
-            .flat_map(|tiles| tiles.iter_mut())
-            .for_each(|tile| tile.fill(clear.color));
+        for tile in planes.color.as_deref_mut().into_iter().flatten() {
+            tile.fill(clear.color);
+        }
     }
     if let Some(depth) = clear.depth {
-        planes
-            .depth
-            .iter_mut()
-            .flat_map(|tiles| tiles.iter_mut())
-            .for_each(|tile| tile.fill(depth));
+        for tile in planes.depth.as_deref_mut().into_iter().flatten() {
+            tile.fill(depth);
+        }
     }
     if clear.stencil_mask != 0 {
         let cleared =
             |stencil: u32| stencil & !clear.stencil_mask | clear.stencil & clear.stencil_mask;
-        planes
-            .stencil
-            .iter_mut()
-            .flat_map(|tiles| tiles.iter_mut())
-            .for_each(|tile| tile.change(cleared));
+        for tile in planes.stencil.as_deref_mut().into_iter().flatten() {
+            tile.change(cleared);
+        }
     }
 }
