@@ -4,6 +4,7 @@ use crate::backdrop::Backdrop;
 use crate::coverage::EdgeFlags;
 use crate::polygons::Polygons;
 use crate::shadow::Shadows;
+use crate::subdivision::SubdividedTriangles;
 use luxel_lighting::{
     Coefficients, Display, Fog, LightingEnvironment, PictureEncoding, PlacedLight, Reflection,
     SurfacePoint, Uniform,
@@ -12,8 +13,6 @@ use luxel_math::{Lanes, Vec3};
 use luxel_scene::{Mesh, Scene, SceneMaterial};
 use luxel_view::{Edges, NormalLength, Shading, ShadingMode};
 use luxel_visibility::{Frame, InstanceSpace, PlacedScene, ViewRays};
-use std::collections::HashMap;
-use std::sync::Mutex;
 
 /// Where the light of a material's surfaces is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,8 +73,7 @@ pub(crate) struct ShadingContext<'a> {
     pub(crate) near: f64,
     /// The polygons of each instance's mesh, where shading takes them whole.
     pub(crate) polygons: &'a [Option<&'a Polygons>],
-    /// What subdivision came to, by triangle.
-    pub(crate) subdivided: &'a Mutex<HashMap<u32, PieceCount>>,
+    pub(crate) subdivided: &'a SubdividedTriangles,
 }
 
 impl ShadingContext<'_> {
@@ -254,17 +252,4 @@ impl AttributeMask {
     pub(crate) fn any(self) -> bool {
         self.0 != 0
     }
-}
-
-/// What the subdivision of one triangle came to.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct PieceCount {
-    /// The pieces.
-    pub(crate) pieces: u32,
-    /// The largest difference to lighting each place by itself, with the reserve, in steps of 8 bits.
-    pub(crate) error: f32,
-    /// Pieces that are beyond the tolerance and not divided further.
-    pub(crate) beyond: u32,
-    /// Their area in the window, in 1/65536 pixel.
-    pub(crate) beyond_area: u64,
 }

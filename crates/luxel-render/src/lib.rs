@@ -24,6 +24,7 @@ mod resolve;
 mod setup;
 mod shade;
 mod shadow;
+mod subdivision;
 mod vector;
 
 pub use execution::Execution;

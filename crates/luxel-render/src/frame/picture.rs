@@ -43,12 +43,12 @@ impl Subdivision {
     /// What all triangles of a frame came to; `None` if its shading mode doesn't divide.
     pub(crate) fn of(scene: &ShadingContext<'_>) -> Option<Self> {
         let divides = matches!(scene.shading.mode, ShadingMode::Subdivided { .. });
-        let counts = scene.subdivided.lock().ok().filter(|_| divides)?;
+        let counts = divides.then(|| scene.subdivided.counts())?;
         // Neither the sum nor the largest depends on the order.
-        let areas = counts.values().map(|one| one.beyond_area);
+        let areas = counts.iter().map(|one| one.beyond_area);
         let area = areas.fold(0, u64::saturating_add);
         let none = Self { beyond_pixels: area as f64 / 65_536.0, ..Self::default() };
-        Some(counts.values().fold(none, |all, one| Self {
+        Some(counts.iter().fold(none, |all, one| Self {
             triangles: all.triangles + u64::from(one.pieces),
             largest_error: all.largest_error.max(one.error),
             beyond: all.beyond + u64::from(one.beyond),

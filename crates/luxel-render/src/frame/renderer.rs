@@ -17,6 +17,7 @@ use crate::execution::Execution;
 use crate::polygons::Polygons;
 use crate::resolve::{Bytes, Finish, Linear};
 use crate::shade::is_studied;
+use crate::subdivision::SubdividedTriangles;
 use luxel_lighting::{Environment, LightKind, LightingEnvironment};
 use luxel_math::{Level, dispatch_long};
 use luxel_parallel::{Memo, ThreadPool};
@@ -379,7 +380,7 @@ impl Renderer {
                 || view.fog.is_some()
                 || lights.iter().any(|light| light.light().kind.has_place());
             let polygons = self.polygons(view, placed.instances());
-            let subdivided = Mutex::default();
+            let subdivided = SubdividedTriangles::default();
             let scene = ShadingContext {
                 scene: &self.scene,
                 frame: &frame,

@@ -1,19 +1,19 @@
 //! Triangles whose light is computed elsewhere than at their pixels, or which are interpolated in the
 //! window: looked up and lit once, not for every sample.
 
-use super::adaptive_subdivision::{Asked, Pieces, mixed};
 use super::screen_interpolation::{InWindow, Outline};
-use super::texel_light::TexelLight;
 use crate::context::{AttributeMask, LitAt, ShadingContext};
 use crate::material::{Attributes, Corner, light_at, light_under};
 use crate::polygons::Polygons;
 use crate::setup::PlacedCorners;
+use crate::subdivision::{Asked, Pieces, TexelLight, mixed};
 use glam::DVec3;
 use luxel_lighting::Silent;
 use luxel_math::Vec3;
 use luxel_scene::{Mesh, Size};
 use luxel_view::{Interpolation, ShadingMode};
 use luxel_visibility::{Forms, InstanceSpace, TriangleId, TriangleOf, interpolate_corners};
+use std::sync::Arc;
 
 /// Where the light of a triangle comes from, if not from its pixels or its corners.
 #[derive(Clone)]
@@ -22,7 +22,7 @@ enum OwnLight {
     /// From the polygon's centroid.
     Whole(Box<Corner>),
     /// From the corners of smaller triangles.
-    Pieces(Box<Pieces>),
+    Pieces(Arc<Pieces>),
 }
 
 /// A triangle with everything that interpolation wants.
@@ -40,7 +40,7 @@ pub(crate) struct LitTriangle {
     pub(crate) outline: Option<Box<Outline>>,
 }
 
-/// The triangles that a thread has seen last, by the low bits of their ids.
+/// The triangles that a thread has seen last, by their ids.
 pub(crate) struct LitTriangles {
     /// None before the first is seen: plain pictures see none.
     entries: Vec<Option<LitTriangle>>,
@@ -48,6 +48,8 @@ pub(crate) struct LitTriangles {
 
 /// Entries of the cache: 128 KiB, a part of a core's second-level cache.
 const ENTRIES: usize = 256;
+/// Spreads ids over entries: 2^32 divided by the golden ratio (Knuth, The Art of Computer Programming 3, 6.4).
+const MULTIPLIER: u32 = 0x9e37_79b9;
 
 impl LitTriangles {
     pub(crate) fn new() -> Self {
@@ -68,7 +70,9 @@ impl LitTriangles {
         if self.entries.is_empty() {
             self.entries.resize(ENTRIES, None);
         }
-        let entry = &mut self.entries[id.0 as usize % ENTRIES];
+        // Low bits are numbers within a cluster: a wall's two triangles would share entries with the next wall's.
+        let place = id.0.wrapping_mul(MULTIPLIER) >> (u32::BITS - ENTRIES.ilog2());
+        let entry = &mut self.entries[place as usize];
         if entry.as_ref().is_none_or(|seen| seen.id != id) {
             let of = scene.frame.triangle(id)?;
             let mut seen = LitTriangle::new(scene, id, of);
@@ -155,7 +159,7 @@ impl LitTriangle {
                     true => TexelLight::through([0.0, 0.5, 1.0].map(|texel| under(corner, texel))),
                     false => TexelLight::untextured(lit(corner)),
                 };
-                let pieces = Pieces::new(Asked {
+                let asked = Asked {
                     tolerance,
                     size: [f64::from(width), f64::from(height)],
                     display: scene.display,
@@ -170,11 +174,9 @@ impl LitTriangle {
                             .rays()
                             .window(space.view.world_from_view.transpose() * about_eye)
                     },
-                });
-                if let Ok(mut counts) = scene.subdivided.lock() {
-                    counts.insert(self.id.0, pieces.count);
-                }
-                self.own_light = OwnLight::Pieces(Box::new(pieces));
+                };
+                let pieces = scene.subdivided.pieces(self.id, || Pieces::new(asked));
+                self.own_light = OwnLight::Pieces(pieces);
             }
         }
         let interpolation = scene.shading.interpolation;

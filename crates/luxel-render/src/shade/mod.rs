@@ -1,7 +1,6 @@
 //! Light that goes to the eye from what samples see. What light is computed elsewhere than at pixels,
 //! and what is interpolated in the window, is there to be studied: it is written for one sample at a time.
 
-mod adaptive_subdivision;
 mod block;
 mod display;
 mod kept_points;
@@ -9,10 +8,8 @@ mod lit_triangle;
 mod screen_interpolation;
 mod shadowed;
 mod studied;
-mod texel_light;
 mod witness;
 
-pub(crate) use adaptive_subdivision::encoded;
 pub(crate) use block::{ThreadCache, all_fragments, geometry_of, point_of, shade, shade_together};
 pub(crate) use display::displayed;
 pub(crate) use lit_triangle::LitTriangle;

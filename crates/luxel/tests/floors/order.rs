@@ -238,6 +238,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "polygons",
             "shadow",
             "backdrop",
+            "subdivision",
             "context",
             "material",
             "setup",

@@ -8,7 +8,8 @@
 use super::web::{Color, Corner, Place, Polygon, Web};
 use crate::context::ShadingContext;
 use crate::interpolate::Batch;
-use crate::shade::{ThreadCache, encoded, shade};
+use crate::shade::{ThreadCache, shade};
+use crate::subdivision::encoded;
 use crate::vector::primitives::twice_area;
 use luxel_lighting::Silent;
 use luxel_math::{LANES, Level, SUBPIXELS, Simd, dispatch_long, f32x16, prelude::*};

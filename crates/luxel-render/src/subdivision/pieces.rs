@@ -5,13 +5,13 @@
 //! the longest edge with any other, so that no slivers arise. Where the edges are fine and the inside
 //! is not, all three are halved. What seems fine so is tried once more, at places so close together
 //! that no pixel goes without, before it becomes a piece. The largest difference found there, with a
-//! reserve for what lies between, is the bound that is told. Neighbours may decide differently about an edge that is fine; the seam is then
-//! within the tolerance. Edges shorter than a small part of a pixel stay whole: there the light
-//! jumps, as at the edge of a cone, or as a highlight does where N.L becomes 0. How many pieces are
-//! beyond the tolerance for that, and how large they are, is told, too.
+//! reserve for what lies between, is the bound that [`PieceCount`] holds. Neighbours may decide
+//! differently about an edge that is fine; the seam is then within the tolerance. Edges shorter than a
+//! small part of a pixel stay whole: there the light jumps, as at the edge of a cone, or as a highlight
+//! does where N.L becomes 0. [`PieceCount`] has the number of pieces that are beyond the tolerance for
+//! that, and their area.
 
 use super::texel_light::TexelLight;
-use crate::context::PieceCount;
 use luxel_lighting::{Display, PictureEncoding};
 use luxel_math::{Rgb, elementary};
 use std::collections::HashMap;
@@ -59,6 +59,19 @@ const FINE: Grid =
 
 /// A place by its barycentrics.
 type Place = [f32; 3];
+
+/// What the subdivision of one triangle came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct PieceCount {
+    /// The pieces.
+    pub(crate) pieces: u32,
+    /// The largest difference to lighting each place by itself, with the reserve, in steps of 8 bits.
+    pub(crate) error: f32,
+    /// Pieces that are beyond the tolerance and not divided further.
+    pub(crate) beyond: u32,
+    /// Their area in the window, in 1/65536 pixel.
+    pub(crate) beyond_area: u64,
+}
 
 /// A triangle's pieces.
 #[derive(Clone, Debug)]
@@ -111,7 +124,10 @@ impl Pieces {
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|place| builder.lit(place));
         builder.pieces.nodes.push(Node { corners, first: 0, parts: 0 });
         builder.divide(0, 0);
-        builder.pieces
+        let mut pieces = builder.pieces;
+        pieces.places.shrink_to_fit();
+        pieces.nodes.shrink_to_fit();
+        pieces
     }
 
     /// The corners of the piece that holds a place, and the place's barycentrics in it.

@@ -1,0 +1,9 @@
+//! Triangles divided into pieces between whose corners their light is interpolated.
+
+mod pieces;
+mod shared;
+mod texel_light;
+
+pub(crate) use pieces::{Asked, Pieces, encoded, mixed};
+pub(crate) use shared::SubdividedTriangles;
+pub(crate) use texel_light::TexelLight;
