@@ -1,6 +1,6 @@
 //! The ground under a model: what it shows, and where it shows nothing.
 
-use crate::oracle::{meeting, reference, triangles};
+use crate::oracle::{reference, triangles};
 use crate::{SIZE, all_pixels, closed, solid, view};
 use luxel::render::{Execution, ExplainedGround, Explanation, Renderer, Seen, View};
 use luxel::scene::{DVec3, Lens, Scene, SceneLight, Viewpoint, demos, fit_view, primitives};
@@ -35,7 +35,7 @@ fn the_ground_is_in_shadow_where_f64_rays_meet_a_triangle() {
     for (name, scene, view) in standing() {
         let all = triangles(&scene);
         let margin = 1e-5 * scene.bounds().radius();
-        let low = all.iter().flat_map(|(.., corners)| corners).map(|corner| corner.dot(scene.up));
+        let low = all.iter().flat_map(|facet| facet.corners).map(|corner| corner.dot(scene.up));
         let low = low.fold(f64::INFINITY, f64::min);
         let mut uncertain = 0;
         for explained in explained(&scene, &view) {
@@ -49,8 +49,8 @@ fn the_ground_is_in_shadow_where_f64_rays_meet_a_triangle() {
                 let end = (DVec3::from_array(light.position) - origin).length();
                 let end = if light.name == "sun" { f64::INFINITY } else { end };
                 let (mut clear, mut near) = (false, false);
-                for (.., corners) in &all {
-                    let Some((t, inside)) = meeting(origin, direction, *corners) else { continue };
+                for facet in &all {
+                    let Some((t, inside)) = facet.meeting(origin, direction) else { continue };
                     clear |= t > margin && t < end - margin && inside > margin;
                     near |= t > -margin && t < end + margin && inside > -margin;
                 }

@@ -15,7 +15,7 @@ use luxel::scene::{
 };
 use luxel::view::{AmbientOcclusion, ShadingMode};
 use luxel_testing::models;
-use oracle::{meeting, reference, triangles};
+use oracle::{reference, triangles};
 use std::path::Path;
 
 pub(crate) const SIZE: Size = Size { width: 48, height: 36 };
@@ -47,10 +47,8 @@ fn compare(name: &str, scene: &Scene, view: &View) -> (usize, usize) {
             let bound = 8e-6 * 2.0 * extent + 1e-6 * eye + shadow.raised;
             assert!((origin - place).length() <= bound, "{name}: {origin} is far from {place}");
             if shadow.raised > 0.0 {
-                let own = all.iter().find(|(object, triangle, _)| {
-                    *object == surface.object && Some(*triangle) == surface.triangle
-                });
-                let [a, b, c] = own.unwrap().2;
+                let own = all.iter().find(|facet| facet.is(surface.object, surface.triangle));
+                let [a, b, c] = own.unwrap().corners;
                 let longest = (b - a).length().max((c - a).length()).max((c - b).length());
                 assert!(shadow.raised <= longest, "{name}: {} above its triangle", shadow.raised);
                 let facing = (b - a).cross(c - a).normalize();
@@ -68,9 +66,9 @@ fn compare(name: &str, scene: &Scene, view: &View) -> (usize, usize) {
                 _ => (DVec3::from_array(light.position) - origin).length(),
             };
             let (mut clear, mut near) = (false, false);
-            for &(object, triangle, corners) in &all {
-                let Some((t, inside)) = meeting(origin, direction, corners) else { continue };
-                let own = object == surface.object && Some(triangle) == surface.triangle;
+            for facet in &all {
+                let Some((t, inside)) = facet.meeting(origin, direction) else { continue };
+                let own = facet.is(surface.object, surface.triangle);
                 clear |= !own && t > margin && t < end - margin && inside > margin;
                 near |= !own && t > -margin && t < end + margin && inside > -margin;
             }
@@ -369,10 +367,8 @@ fn check_openness(name: &str, scene: &Scene, places: usize) {
         .iter()
         .step_by(step)
         .map(|(surface, _)| {
-            let own = all.iter().find(|(object, triangle, _)| {
-                *object == surface.object && Some(*triangle) == surface.triangle
-            });
-            let [a, b, c] = own.unwrap().2;
+            let own = all.iter().find(|facet| facet.is(surface.object, surface.triangle));
+            let [a, b, c] = own.unwrap().corners;
             let [normal, eye] =
                 [surface.normal, surface.view].map(|way| DVec3::from_array(way.map(f64::from)));
             let facing = (b - a).cross(c - a).normalize();

@@ -2,47 +2,64 @@
 
 use luxel::scene::{DVec3, Scene};
 
-/// All triangles of a scene in world space, with the objects that they belong to.
-pub(crate) fn triangles(scene: &Scene) -> Vec<(usize, u32, [DVec3; 3])> {
+/// A triangle of a scene in world space.
+pub(crate) struct Facet {
+    object: usize,
+    triangle: u32,
+    pub(crate) corners: [DVec3; 3],
+    /// The unit normal, and the unit vectors from each edge inwards; `None` if all corners are in a line.
+    frame: Option<(DVec3, [DVec3; 3])>,
+}
+
+impl Facet {
+    fn new(object: usize, triangle: u32, corners: [DVec3; 3]) -> Self {
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a).try_normalize();
+        let inwards =
+            |normal: DVec3| [b - a, c - b, a - c].map(|edge| normal.cross(edge).normalize());
+        Self { object, triangle, corners, frame: normal.map(|normal| (normal, inwards(normal))) }
+    }
+
+    /// Whether it is a triangle of an object.
+    pub(crate) fn is(&self, object: usize, triangle: Option<u32>) -> bool {
+        self.object == object && Some(self.triangle) == triangle
+    }
+
+    /// How clearly a ray meets it: the distance to it, and by how much it lies within (negative: outside), as a length.
+    pub(crate) fn meeting(&self, origin: DVec3, direction: DVec3) -> Option<(f64, f64)> {
+        let (normal, [of_ab, of_bc, of_ca]) = self.frame?;
+        let along = normal.dot(direction);
+        if along.abs() < 1e-12 {
+            return None;
+        }
+        let [a, b, c] = self.corners;
+        let t = normal.dot(a - origin) / along;
+        let place = origin + direction * t;
+        let inside = (place - a).dot(of_ab).min((place - b).dot(of_bc)).min((place - c).dot(of_ca));
+        // What a shift of the ray makes of it where it meets the plane at a flat angle.
+        Some((t, inside * along.abs()))
+    }
+}
+
+/// All triangles of a scene.
+pub(crate) fn triangles(scene: &Scene) -> Vec<Facet> {
     let of = |(number, object): (usize, luxel::scene::Object)| {
         let mesh = &scene.meshes[object.mesh.index()];
         (0..)
             .zip(&mesh.triangles)
             .map(move |(triangle, corners)| {
                 let place = |vertex| object.world_from_mesh.transform_point3(mesh.position(vertex));
-                (number, triangle, corners.map(place))
+                Facet::new(number, triangle, corners.map(place))
             })
             .collect::<Vec<_>>()
     };
     scene.objects().into_iter().enumerate().flat_map(of).collect()
 }
 
-/// How clearly a ray meets a triangle: the distance to it, and by how much it lies within (negative:
-/// outside), as a length.
-pub(crate) fn meeting(
-    origin: DVec3,
-    direction: DVec3,
-    [a, b, c]: [DVec3; 3],
-) -> Option<(f64, f64)> {
-    let normal = (b - a).cross(c - a).try_normalize()?;
-    let along = normal.dot(direction);
-    if along.abs() < 1e-12 {
-        return None;
-    }
-    let t = normal.dot(a - origin) / along;
-    let place = origin + direction * t;
-    let inside = [(a, b), (b, c), (c, a)].map(|(from, to)| {
-        let inwards = normal.cross(to - from).try_normalize();
-        inwards.map_or(f64::NEG_INFINITY, |inwards| (place - from).dot(inwards))
-    });
-    // What a shift of the ray makes of it where it meets the plane at a flat angle.
-    Some((t, inside.into_iter().fold(f64::INFINITY, f64::min) * along.abs()))
-}
-
 /// The openness of a place by rays to all triangles, in `f64`, from 24 x 24 parts of the hemisphere of equal
 /// weight about the normal; directions below the plane that faces the eye are mirrored at it.
 pub(crate) fn reference(
-    all: &[(usize, u32, [DVec3; 3])],
+    all: &[Facet],
     place: DVec3,
     [normal, facing]: [DVec3; 2],
     margin: f64,
@@ -56,10 +73,10 @@ pub(crate) fn reference(
         let direction =
             (tangent * cosine + bitangent * sine) * u.sqrt() + normal * (1.0 - u).sqrt();
         let direction = direction - 2.0 * direction.dot(facing).min(0.0) * facing;
-        let blocks = |corners: [DVec3; 3]| {
-            meeting(place, direction, corners).is_some_and(|(t, inside)| t > margin && inside > 0.0)
+        let blocks = |facet: &Facet| {
+            facet.meeting(place, direction).is_some_and(|(t, inside)| t > margin && inside > 0.0)
         };
-        open += f64::from(u8::from(!all.iter().any(|(.., corners)| blocks(*corners))));
+        open += f64::from(u8::from(!all.iter().any(blocks)));
     }
     open / (SIDE * SIDE) as f64
 }
