@@ -244,12 +244,11 @@ impl Context {
         for y in rows.clone() {
             for x in columns.clone() {
                 let at = [x, y];
-                let stencil = self.framebuffer.stencil(at);
                 let values = match pixels {
                     ImagePixels::Colors(_) => colors.color(at),
-                    _ => [self.framebuffer.unit_depth(at), f32::from(stencil) / 255.0, 0.0, 1.0],
+                    _ => self.framebuffer.unit_depth_stencil(at),
                 };
-                pixels.push(&transfer, values, i32::from(stencil));
+                pixels.push(&transfer, values, i32::from(self.framebuffer.stencil(at)));
             }
         }
         [columns, rows]

@@ -99,9 +99,7 @@ impl PixelWriter<'_> {
                 values[0] = (value & 0xffff) as f32;
             }
             Components::DepthStencil => {
-                let stencil = f32::from(framebuffer.stencil(at)) / 255.0;
-                let pixel = [framebuffer.unit_depth(at), stencil, 0.0, 0.0];
-                values = transfer.values(pixel, true).map(unit);
+                values = transfer.values(framebuffer.unit_depth_stencil(at), true).map(unit);
             }
         }
         (values, kind.components.count())

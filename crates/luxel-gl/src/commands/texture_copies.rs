@@ -106,11 +106,6 @@ impl Context {
         });
     }
 
-    /// A pixel's stencil value as a part of 255.
-    fn unit_stencil(&self, at: [u32; 2]) -> f32 {
-        f32::from(self.framebuffer.stencil(at)) / 255.0
-    }
-
     /// Pixels of the framebuffer that is read, by the transfer, each with its place from the first one; those outside of
     /// it are left out.
     fn copied(
@@ -131,7 +126,7 @@ impl Context {
                 .map(|[column, row]| {
                     let at = [(x + column) as u32, (y + row) as u32];
                     let color = if is_depth {
-                        [context.framebuffer.unit_depth(at), context.unit_stencil(at), 0.0, 1.0]
+                        context.framebuffer.unit_depth_stencil(at)
                     } else {
                         colors.color(at)
                     };

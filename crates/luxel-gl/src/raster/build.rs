@@ -27,7 +27,9 @@ pub(crate) struct PieceBuilder<'a> {
     /// Filled triangles that wait: pieces are made in the order of primitives.
     waiting: TriangleGroup,
     level: Level,
-    /// Whether polygons are filled, and not smooth.
+    /// Whether filled polygons are smooth.
+    is_smooth: bool,
+    /// Whether all polygons are filled, and not smooth.
     is_filled: bool,
 }
 
@@ -48,6 +50,7 @@ impl<'a> PieceBuilder<'a> {
             polygon: Vec::new(),
             waiting: TriangleGroup::default(),
             level,
+            is_smooth,
             is_filled: state.modes == [gl::FILL; 2] && !is_smooth,
         }
     }
@@ -255,8 +258,7 @@ impl Visitor for PieceBuilder<'_> {
                 self.outline(corners, (flat, flagged), provoking, side);
                 return;
             }
-            let is_smooth = state.smooth[2] && !self.has_samples();
-            if is_smooth && self.smooth_polygon(corners, (flat, side), provoking) {
+            if self.is_smooth && self.smooth_polygon(corners, (flat, side), provoking) {
                 return;
             }
         }

@@ -248,6 +248,11 @@ impl Framebuffer {
         self.depth.as_ref().and_then(|plane| plane.unit(at, 0)).unwrap_or(0.0)
     }
 
+    /// A pixel's depth and stencil value at its first sample, from 0 to 1, in the place of red and green.
+    pub(crate) fn unit_depth_stencil(&self, at: [u32; 2]) -> [f32; 4] {
+        [self.unit_depth(at), f32::from(self.stencil(at)) / 255.0, 0.0, 1.0]
+    }
+
     /// A pixel's stencil value at its first sample.
     pub(crate) fn stencil(&self, at: [u32; 2]) -> u8 {
         self.sample_stencil(at, 0)
