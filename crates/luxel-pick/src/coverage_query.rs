@@ -56,6 +56,9 @@ impl PickView<'_> {
     pub(crate) fn owner(&self, position: [i32; 2]) -> Option<CoveringTriangle> {
         let mut best: Option<CoveringTriangle> = None;
         for number in self.instances_at(position.map(|steps| steps.div_euclid(SUBPIXELS))) {
+            if self.placed.is_repeated(number) {
+                continue;
+            }
             let least = best.map_or(0.0, |best| best.depth);
             let mut visit = |covering| self.see(&mut best, covering, position);
             self.visit_covering(number, position, &mut visit, least);

@@ -214,6 +214,7 @@ impl<'v> Worker<'v> {
             let last = positions.iter().fold([i32::MIN; 2], |[a, b], &[x, y]| [a.max(x), b.max(y)]);
             instances.clear();
             view.instances_between(first, last, instances);
+            instances.retain(|&number| !view.placed.is_repeated(number));
             view.owners_of_group(instances, positions, covering);
         }
         owners.clear();

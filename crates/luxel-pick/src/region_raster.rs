@@ -57,7 +57,9 @@ impl PickView<'_> {
         let around = [columns.start, rows.start, columns.end, rows.end].map(f64::from);
         let visible: Vec<VisibleMesh<'_>> =
             gather(self.placed.instances().len(), 1, &|run, visible| {
-                visible.extend(self.visible_mesh(run.start, around));
+                if !self.placed.is_repeated(run.start) {
+                    visible.extend(self.visible_mesh(run.start, around));
+                }
             });
         let instances = visible.iter().map(|visible| {
             let instance = &self.placed.instances()[visible.instance];
@@ -67,6 +69,7 @@ impl PickView<'_> {
                 view_from_local: &instance.space.view_from_local,
                 parts: Arc::clone(&instance.parts),
                 ranks: &visible.ranks,
+                is_repeated: false,
             }
         });
         let (projection, level) = (&self.camera().projection, self.picker.level());

@@ -3,7 +3,7 @@
 use crate::world_ray::centre_and_radius;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality, TooManyForTree};
-use luxel_parallel::fill;
+use luxel_parallel::{fill, map};
 use luxel_scene::{Mesh, Object, Scene, is_same_matrix};
 use std::sync::Arc;
 
@@ -72,6 +72,56 @@ impl Placement {
         let is_even = || stretch(world_from_tree, tree_from_world) < MAX_STRETCH;
         !(tree_from_world.is_finite() && is_even())
     }
+}
+
+/// The trees of bodies. Bodies that follow one another with one mesh in one place share theirs.
+pub(crate) struct PlacedTrees {
+    trees: Vec<PlacedTree>,
+    /// The place of each body's among them.
+    of_bodies: Vec<u32>,
+}
+
+impl PlacedTrees {
+    /// The trees of the objects, which stand for bodies, built on all threads of the current pool.
+    pub(crate) fn new<'o>(
+        scene: &Scene,
+        bodies: impl Iterator<Item = &'o Object>,
+        quality: Quality,
+    ) -> Result<Self, TooManyForTree> {
+        let mut apart: Vec<&Object> = Vec::new();
+        let mut of_bodies = Vec::new();
+        for object in bodies {
+            if !apart.last().is_some_and(|last| object.repeats(last)) {
+                apart.push(object);
+            }
+            of_bodies.push(apart.len() as u32 - 1);
+        }
+        let trees =
+            map(apart.len(), 1, &|run| Some(PlacedTree::new(scene, apart[run.start], quality)));
+        Ok(Self { trees: all(trees)?, of_bodies })
+    }
+
+    /// The tree of a body.
+    pub(crate) fn of_body(&self, body: usize) -> &PlacedTree {
+        &self.trees[self.of_bodies[body] as usize]
+    }
+
+    /// All trees, each once.
+    pub(crate) fn iter(&self) -> std::slice::Iter<'_, PlacedTree> {
+        self.trees.iter()
+    }
+}
+
+/// All trees that threads have built. Collected by `Result`, a list doesn't know how long it becomes, and takes up to
+/// twice the memory.
+pub(crate) fn all<T>(
+    built: Vec<Option<Result<T, TooManyForTree>>>,
+) -> Result<Vec<T>, TooManyForTree> {
+    let mut trees = Vec::with_capacity(built.len());
+    for tree in built.into_iter().flatten() {
+        trees.push(tree?);
+    }
+    Ok(trees)
 }
 
 impl PlacedTree {

@@ -1,7 +1,7 @@
 //! A scene prepared for rays: a tree per mesh, and one over all bodies.
 
 use crate::bodies::{Bodies, opaque_parts};
-use crate::body_tree::{BodyTree, PlacedTree, Sphere, sphere_around};
+use crate::body_tree::{BodyTree, PlacedTree, PlacedTrees, Sphere, all, sphere_around};
 use glam::DVec3;
 use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel};
@@ -17,7 +17,7 @@ pub struct SceneRays {
     pub(crate) level: Level,
     trees: MeshTrees,
     /// The trees of the bodies.
-    placed: Vec<PlacedTree>,
+    placed: PlacedTrees,
     /// Whether nothing shines through a mesh.
     opaque_meshes: Vec<bool>,
     /// The tree over the bodies' boxes, relative to `middle`.
@@ -55,16 +55,6 @@ impl MeshTrees {
         let counts = scene.meshes.iter().map(|mesh| mesh.triangles.len());
         counts.eq(self.counts.iter().copied())
     }
-}
-
-/// All trees that threads have built. Collected by `Result`, a list doesn't know how long it becomes, and takes up to
-/// twice the memory.
-fn all<T>(built: Vec<Option<Result<T, TooManyForTree>>>) -> Result<Vec<T>, TooManyForTree> {
-    let mut trees = Vec::with_capacity(built.len());
-    for tree in built.into_iter().flatten() {
-        trees.push(tree?);
-    }
-    Ok(trees)
 }
 
 /// A world-space box relative to `middle`, rounded outwards.
@@ -167,10 +157,8 @@ impl SceneRays {
         let opaque_meshes =
             scene.meshes.iter().map(|mesh| opaque_parts(&scene, mesh).all(|is| is)).collect();
         let bodies = Bodies::new(objects);
-        let placed = map(bodies.len(), 1, &|run| {
-            Some(PlacedTree::new(&scene, bodies.object(run.start), quality))
-        });
-        let placed = all(placed)?;
+        let objects = (0..bodies.len()).map(|body| bodies.object(body));
+        let placed = PlacedTrees::new(&scene, objects, quality)?;
         let mut rays = Self {
             scene,
             bodies,
@@ -181,20 +169,17 @@ impl SceneRays {
             top: BoxTree::default(),
             middle: DVec3::ZERO,
         };
-        let boxes: Vec<[DVec3; 2]> =
-            (0..rays.bodies.len()).map(|body| rays.tree(body).world_box()).collect();
-        let all = boxes
-            .iter()
-            .filter(|bounds| is_valid(bounds))
+        // Computed twice: to keep them takes more memory than all else of small bodies.
+        let boxes = || (0..rays.bodies.len()).map(|body| rays.tree(body).world_box());
+        let all = boxes()
+            .filter(is_valid)
             .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], bounds| {
                 [low.min(bounds[0]), high.max(bounds[1])]
             });
-        rays.middle = if is_valid(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
-        let middle = rays.middle;
-        let boxes: Vec<_> = boxes
-            .into_iter()
-            .map(|bounds| is_valid(&bounds).then(|| rounded(bounds, middle)))
-            .collect();
+        let middle = if is_valid(&all) { all[0] * 0.5 + all[1] * 0.5 } else { DVec3::ZERO };
+        let boxes: Vec<_> =
+            boxes().map(|bounds| is_valid(&bounds).then(|| rounded(bounds, middle))).collect();
+        rays.middle = middle;
         rays.top = BoxTree::build(&boxes, Quality::Fast)?;
         Ok(rays)
     }
@@ -296,7 +281,7 @@ impl SceneRays {
     /// If there is no such body.
     #[must_use]
     pub fn tree(&self, body: usize) -> BodyTree<'_> {
-        let placed = &self.placed[body];
+        let placed = self.placed.of_body(body);
         let (bvh, positions) = match &placed.baked {
             Some(baked) => (&baked.bvh, &baked.positions),
             None => (&self.trees.bvhs[placed.mesh], &self.scene.meshes[placed.mesh].positions),
@@ -312,7 +297,7 @@ impl SceneRays {
 
     /// The sphere around the tree of a body; `None` for a tree over nothing.
     pub(crate) fn sphere(&self, body: usize) -> Option<Sphere> {
-        let placed = &self.placed[body];
+        let placed = self.placed.of_body(body);
         match &placed.baked {
             Some(baked) => baked.sphere,
             None => self.trees.spheres[placed.mesh],

@@ -28,7 +28,7 @@ use voxels::Voxels;
 pub struct CoplanarRanks {
     /// By the first object of each [body](bodies) that has some: the numbers of triangles in its mesh, in
     /// ascending order, and their ranks.
-    of_bodies: BTreeMap<usize, Vec<(u32, u8)>>,
+    of_bodies: BTreeMap<usize, Arc<[(u32, u8)]>>,
 }
 
 /// In deeper piles several triangles have the last rank.
@@ -52,7 +52,8 @@ impl CoplanarRanks {
             let box_of_mesh = boxes[objects[body.start].mesh.index()];
             Body::new((scene, objects), body, box_of_mesh)
         };
-        let mut bodies: Vec<Body<'_>> = bodies(objects).map(of_body).collect();
+        let shown = bodies(objects).filter(|body| !is_repeated(scene, objects, body));
+        let mut bodies: Vec<Body<'_>> = shown.map(of_body).collect();
         let around = bodies
             .iter()
             .map(|body| body.bounds)
@@ -72,21 +73,33 @@ impl CoplanarRanks {
         }
         let voxels = Voxels::new(&bodies, [low - middle, high - middle]);
         let candidates = candidates(&bodies, &voxels);
+        let mut of_bodies: BTreeMap<usize, Vec<(u32, u8)>> = BTreeMap::new();
         for (number, rank) in ranks_of(&candidates, &bodies, &voxels) {
             let Candidate { body, triangle, count, .. } = candidates[number as usize];
             let first = bodies[body as usize].objects.start;
-            let list = ranks.of_bodies.entry(first).or_default();
+            let list = of_bodies.entry(first).or_default();
             list.extend((triangle..triangle + count).map(|triangle| (triangle, rank)));
         }
-        ranks.of_bodies.values_mut().for_each(|list| list.sort_unstable());
+        for (first, mut list) in of_bodies {
+            list.sort_unstable();
+            ranks.add(scene, objects, first, list.into());
+        }
         ranks
+    }
+
+    /// Adds the ranks of a body, given by its first object, and of those that repeat it.
+    fn add(&mut self, scene: &Scene, objects: &[Object], first: usize, list: Arc<[(u32, u8)]>) {
+        let later = first + 1..objects.len();
+        let repeated = later.take_while(|&next| is_repeated(scene, objects, &(next..next + 1)));
+        self.of_bodies.extend(repeated.map(|next| (next, Arc::clone(&list))));
+        self.of_bodies.insert(first, list);
     }
 
     /// The triangles of a body with a rank above 0: their numbers in its mesh, in ascending order, with
     /// their ranks. The body is given by its first object.
     #[must_use]
     pub fn of_body(&self, first_object: usize) -> &[(u32, u8)] {
-        self.of_bodies.get(&first_object).map_or(&[], Vec::as_slice)
+        self.of_bodies.get(&first_object).map_or(&[], AsRef::as_ref)
     }
 }
 
@@ -99,6 +112,15 @@ pub fn rank_of(ranks: &[(u32, u8)], triangle: u32) -> u8 {
     }
     let found = ranks.binary_search_by_key(&triangle, |(number, _)| *number);
     found.map_or(0, |at| ranks[at].1)
+}
+
+/// Whether a body is one object that repeats the object before it: it lies as far behind others as that one
+/// does. Hundreds of thousands of instances in one place, a file of some megabytes, cost one of them.
+fn is_repeated(scene: &Scene, objects: &[Object], body: &Range<usize>) -> bool {
+    let own = &objects[body.start];
+    body.len() == 1
+        && scene.meshes[own.mesh.index()].sections.is_empty()
+        && body.start.checked_sub(1).is_some_and(|before| own.repeats(&objects[before]))
 }
 
 /// Objects that are drawn as one, in their place.

@@ -73,6 +73,15 @@ pub struct Object {
     pub world_from_mesh: Arc<DMat4>,
 }
 
+impl Object {
+    /// Whether it shows the mesh that another one shows, in the same place.
+    #[must_use]
+    pub fn repeats(&self, other: &Self) -> bool {
+        (self.mesh, self.section) == (other.mesh, other.section)
+            && is_same_matrix(&self.world_from_mesh, &other.world_from_mesh)
+    }
+}
+
 /// Runs of objects that are drawn as one: sections of one mesh in one place, in their order. All other
 /// objects are runs of their own.
 pub fn bodies(objects: &[Object]) -> impl Iterator<Item = Range<usize>> {

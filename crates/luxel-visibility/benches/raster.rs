@@ -96,6 +96,7 @@ fn time(
             view_from_local: &view_from_local,
             parts: [part].into(),
             ranks: &[],
+            is_repeated: false,
         };
         let frame = Frame::new(vec![instance], &projection, size, samples, level).unwrap();
         set_up.push(start.elapsed().as_secs_f64() * 1e3);

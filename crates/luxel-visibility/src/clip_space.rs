@@ -60,6 +60,7 @@ pub fn rasterize(
         view_from_local,
         parts: Arc::clone(&parts),
         ranks: &[],
+        is_repeated: false,
     };
     let instances = places.iter().map(instance).collect();
     let frame = Frame::new(instances, &window, size, Samples::ONE, level)?;

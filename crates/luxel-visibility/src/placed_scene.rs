@@ -192,6 +192,23 @@ impl<'s> PlacedScene<'s> {
         &self.instances
     }
 
+    /// Whether an instance repeats the one before it where nothing shows through: it is hidden wherever it
+    /// is, as of equally near triangles the first one wins.
+    ///
+    /// So thousands of nodes that show one mesh in one place, a file of some kilobytes, cost one of them.
+    #[must_use]
+    pub fn is_repeated(&self, instance: usize) -> bool {
+        let Some(before) = instance.checked_sub(1).map(|before| &self.instances[before]) else {
+            return false;
+        };
+        let own = &self.instances[instance];
+        // What is equal is shared.
+        Arc::ptr_eq(&own.space, &before.space)
+            && Arc::ptr_eq(&own.parts, &before.parts)
+            && std::ptr::eq(self.mesh(own), self.mesh(before))
+            && own.parts.iter().all(|part| part.coverage == Coverage::Opaque)
+    }
+
     /// Points and lines as triangles in view space, of the objects that have some.
     #[must_use]
     pub fn strokes(&self) -> &[Strokes] {
@@ -257,7 +274,7 @@ impl<'s> PlacedScene<'s> {
         samples: Samples,
         level: Level,
     ) -> Result<Frame<'a>, TooManyTriangles> {
-        let instances = self.instances.iter().map(|instance| Instance {
+        let instances = self.instances.iter().enumerate().map(|(number, instance)| Instance {
             mesh: self.mesh(instance),
             clusters: match instance.strokes {
                 Some(number) => &self.strokes[number].clusters,
@@ -266,6 +283,7 @@ impl<'s> PlacedScene<'s> {
             view_from_local: &instance.space.view_from_local,
             parts: Arc::clone(&instance.parts),
             ranks: self.ranks(instance),
+            is_repeated: self.is_repeated(number),
         });
         let (instances, projection) = (instances.collect(), &self.camera.projection);
         luxel_parallel::install(None, || {

@@ -97,59 +97,81 @@ impl Pile {
     }
 }
 
+/// Compares what is seen and picked of a pile, from anywhere, with what holds each place. How many pixels lie in
+/// several objects.
+fn compare(pile: &Pile, random: &mut Random, round: usize) -> usize {
+    let mut compared = 0;
+    // From in front of the plane, or behind it, at up to 84 degrees.
+    let normal = pile.world_from_plane.transform_vector3(DVec3::Z);
+    let direction = loop {
+        let direction = random.direction();
+        if direction.dot(normal).abs() > 0.1 {
+            break direction;
+        }
+    };
+    let centre = pile.world_from_plane.w_axis.truncate();
+    let eye = centre + direction * 4.0;
+    let lens = match round % 3 {
+        0 => Lens::Orthographic { height: 2.5 },
+        _ => Lens::Perspective { fov_y_radians: 0.6 },
+    };
+    let camera = Camera {
+        view_from_world: Camera::look_at(eye, centre, normal.any_orthonormal_vector()),
+        projection: Projection { lens, near: 0.5, far: 50.0 },
+    };
+    let renderer = Renderer::new(pile.scene.clone(), &Execution::default()).unwrap();
+    let mut view = luxel::default_view(&pile.scene, SIZE);
+    (view.camera, view.samples, view.cull) = (camera, 1, Cull::None);
+    let layers = renderer.layers(&view, &[Layer::Object]).unwrap();
+    let LayerValues::U32(objects) = &layers[0] else { panic!("objects are numbers") };
+    let picker = Picker::new(pile.scene.clone()).unwrap();
+    let picks = PickView::new(&picker, camera, SIZE, Cull::None).unwrap();
+    let world_from_clip =
+        (camera.projection.clip_from_view(SIZE) * camera.view_from_world).inverse();
+    let plane_from_world = pile.world_from_plane.inverse();
+    for (at, &object) in objects.iter().enumerate() {
+        let (x, y) = (at as u32 % SIZE.width, at as u32 / SIZE.width);
+        let window = PhysicalPosition::centre_of(x, y);
+        let across = (f64::from(x) + 0.5) / f64::from(SIZE.width) * 2.0 - 1.0;
+        let down = 1.0 - (f64::from(y) + 0.5) / f64::from(SIZE.height) * 2.0;
+        let [near, far] = [-0.9, 0.9].map(|z| {
+            let world = world_from_clip.project_point3(DVec3::new(across, down, z));
+            plane_from_world.transform_point3(world)
+        });
+        let place = near + (far - near) * (near.z / (near.z - far.z));
+        // Corners are snapped to 1/256 pixel.
+        let Some(expected) = pile.at(place.truncate(), 0.01) else { continue };
+        let first = expected.first().copied().unwrap_or(u32::MAX);
+        assert_eq!(object, first, "round {round}: ({x}, {y}) of {expected:?}");
+        let hits: Vec<u32> = picks.through(window).iter().map(|hit| hit.object as u32).collect();
+        assert_eq!(hits, expected, "round {round}: ({x}, {y})");
+        compared += usize::from(expected.len() > 1);
+    }
+    compared
+}
+
 #[test]
 fn of_objects_in_one_plane_the_first_is_seen_and_picked_and_the_others_follow() {
     let mut random = Random(0x5eed);
     let mut compared = 0;
     for round in 0..40 {
         let pile = Pile::new(&mut random, 2 + round % 4);
-        // From in front of the plane, or behind it, at up to 84 degrees.
-        let normal = pile.world_from_plane.transform_vector3(DVec3::Z);
-        let direction = loop {
-            let direction = random.direction();
-            if direction.dot(normal).abs() > 0.1 {
-                break direction;
-            }
-        };
-        let centre = pile.world_from_plane.w_axis.truncate();
-        let eye = centre + direction * 4.0;
-        let lens = match round % 3 {
-            0 => Lens::Orthographic { height: 2.5 },
-            _ => Lens::Perspective { fov_y_radians: 0.6 },
-        };
-        let camera = Camera {
-            view_from_world: Camera::look_at(eye, centre, normal.any_orthonormal_vector()),
-            projection: Projection { lens, near: 0.5, far: 50.0 },
-        };
-        let renderer = Renderer::new(pile.scene.clone(), &Execution::default()).unwrap();
-        let mut view = luxel::default_view(&pile.scene, SIZE);
-        (view.camera, view.samples, view.cull) = (camera, 1, Cull::None);
-        let layers = renderer.layers(&view, &[Layer::Object]).unwrap();
-        let LayerValues::U32(objects) = &layers[0] else { panic!("objects are numbers") };
-        let picker = Picker::new(pile.scene.clone()).unwrap();
-        let picks = PickView::new(&picker, camera, SIZE, Cull::None).unwrap();
-        let world_from_clip =
-            (camera.projection.clip_from_view(SIZE) * camera.view_from_world).inverse();
-        let plane_from_world = pile.world_from_plane.inverse();
-        for (at, &object) in objects.iter().enumerate() {
-            let (x, y) = (at as u32 % SIZE.width, at as u32 / SIZE.width);
-            let window = PhysicalPosition::centre_of(x, y);
-            let across = (f64::from(x) + 0.5) / f64::from(SIZE.width) * 2.0 - 1.0;
-            let down = 1.0 - (f64::from(y) + 0.5) / f64::from(SIZE.height) * 2.0;
-            let [near, far] = [-0.9, 0.9].map(|z| {
-                let world = world_from_clip.project_point3(DVec3::new(across, down, z));
-                plane_from_world.transform_point3(world)
-            });
-            let place = near + (far - near) * (near.z / (near.z - far.z));
-            // Corners are snapped to 1/256 pixel.
-            let Some(expected) = pile.at(place.truncate(), 0.01) else { continue };
-            let first = expected.first().copied().unwrap_or(u32::MAX);
-            assert_eq!(object, first, "round {round}: ({x}, {y}) of {expected:?}");
-            let hits: Vec<u32> =
-                picks.through(window).iter().map(|hit| hit.object as u32).collect();
-            assert_eq!(hits, expected, "round {round}: ({x}, {y})");
-            compared += usize::from(expected.len() > 1);
-        }
+        compared += compare(&pile, &mut random, round);
     }
     assert!(compared > 20_000, "only {compared} pixels lie in several objects");
+}
+
+#[test]
+fn objects_that_repeat_the_one_before_lie_as_far_behind_others_as_it_does() {
+    let mut random = Random(0xc0);
+    let mut compared = 0;
+    for round in 0..8 {
+        let mut pile = Pile::new(&mut random, 3);
+        let repeated = |number: usize| std::iter::repeat_n(number, 1 + number % 3);
+        let nodes = &pile.scene.nodes;
+        pile.scene.nodes = (0..3).flat_map(repeated).map(|at| nodes[at].clone()).collect();
+        pile.quads = (0..3).flat_map(repeated).map(|at| pile.quads[at]).collect();
+        compared += compare(&pile, &mut random, round);
+    }
+    assert!(compared > 4_000, "only {compared} pixels lie in several objects");
 }

@@ -109,12 +109,13 @@ impl LitTriangle {
     }
 
     /// The corners of a triangle, lit there or, in flat shading, with the light of the whole. Given
-    /// places in view space, they are lit there instead.
+    /// places in view space, they are lit there instead. Shading is flat or Gouraud: corners have no pieces.
     pub(crate) fn lit_corners(
         scene: &ShadingContext<'_>,
         of: TriangleOf,
         places: Option<[DVec3; 3]>,
     ) -> [Corner; 3] {
+        debug_assert!(matches!(scene.shading.mode, ShadingMode::Flat | ShadingMode::Gouraud));
         let mut seen = Self::new(scene, TriangleId::NONE, of);
         let world_from_view = scene.space(of.instance).view.world_from_view;
         for (corner, place) in seen.corners.iter_mut().zip(places.into_iter().flatten()) {

@@ -14,6 +14,7 @@ use super::block::{Block, CLUSTER_TRIANGLES, GROUP_WORDS, Header, Numbers, Piece
 use super::cluster_builder::ClusterBuilder;
 use super::hilbert::{along_curve, is_local};
 use super::normal_cone::Cone;
+use super::repeats::Repeats;
 use super::transient_block::{TRANSIENT_TRIANGLES, TransientBlock, box_of};
 use luxel_math::LANES;
 use luxel_parallel::{fill, map};
@@ -50,6 +51,7 @@ pub struct Clusters {
     ///
     /// [`CONE_WORDS`]: super::CONE_WORDS
     pub(crate) cones: Vec<f32>,
+    repeats: Repeats,
 }
 
 /// The order of a part's triangles, by their submitted numbers: places in the mesh's list.
@@ -65,15 +67,19 @@ impl Clusters {
     #[must_use]
     pub fn new(mesh: &Mesh, frames: Frames) -> Self {
         let mut all = Self::default();
-        match frames {
+        let boxes = match frames {
             Frames::Many => all.cut(mesh),
             Frames::One => all.divide(mesh),
-        }
+        };
+        all.bounds = by_sixteen(&boxes);
+        all.repeats = Repeats::new(mesh, &boxes, |cluster| {
+            (all.numbers(cluster), usize::from(all.headers[cluster].triangles))
+        });
         all
     }
 
-    /// Cuts it into blocks along the curve.
-    fn cut(&mut self, mesh: &Mesh) {
+    /// Cuts it into blocks along the curve. The boxes of clusters.
+    fn cut(&mut self, mesh: &Mesh) -> Vec<[f32; 6]> {
         let orders: Vec<_> = mesh.parts.iter().map(|part| along_curve(mesh, range(part))).collect();
         let tasks = tasks(&orders);
         let built = map(tasks.len(), 1, &|run| {
@@ -91,12 +97,12 @@ impl Clusters {
             cones.extend(built.cones);
         }
         self.orders.extend(orders.into_iter().map(Order::Curve));
-        self.bounds = by_sixteen(&boxes);
         self.cones = Cone::by_sixteen(&cones);
+        boxes
     }
 
-    /// Divides it into runs, of which only the boxes are kept.
-    fn divide(&mut self, mesh: &Mesh) {
+    /// Divides it into runs, of which only the boxes are kept. The boxes of clusters.
+    fn divide(&mut self, mesh: &Mesh) -> Vec<[f32; 6]> {
         let runs = |part: &Part| part.count.div_ceil(TRANSIENT_TRIANGLES as u32) as usize;
         self.orders.reserve_exact(mesh.parts.len());
         self.headers.reserve_exact(mesh.parts.iter().map(runs).sum());
@@ -121,13 +127,23 @@ impl Clusters {
                 *bounds = box_of(mesh, self.numbers(cluster), count);
             }
         });
-        self.bounds = by_sixteen(&boxes);
+        boxes
     }
 
     /// How many clusters there are.
     #[must_use]
     pub fn count(&self) -> usize {
         self.headers.len()
+    }
+
+    /// Whether a cluster repeats the triangles of the one before it, all of them submitted later.
+    pub(crate) fn is_repeated(&self, cluster: usize) -> bool {
+        self.repeats.contains(cluster)
+    }
+
+    /// Whether any cluster repeats the one before it.
+    pub(crate) fn has_repeated(&self) -> bool {
+        !self.repeats.is_empty()
     }
 
     /// The submitted number of a triangle: its place in the mesh's list.

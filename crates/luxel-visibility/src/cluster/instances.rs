@@ -22,6 +22,8 @@ pub struct Instance<'a> {
     /// The triangles that lie in the plane of an earlier instance's, and their
     /// [ranks](luxel_scene::CoplanarRanks): by their places in the mesh, in ascending order.
     pub ranks: &'a [(u32, u8)],
+    /// Whether it [repeats](crate::PlacedScene::is_repeated) the instance before it, and isn't drawn.
+    pub is_repeated: bool,
 }
 
 /// A triangle by what a scene calls it.
@@ -114,19 +116,20 @@ impl<'a> Instances<'a> {
         &self.transforms[self.transform_of(instance)]
     }
 
-    /// Whether an instance repeats the one before it where nothing shows through: it is hidden wherever it
-    /// is, as of equally near triangles the first one wins.
-    ///
-    /// So thousands of nodes that show one mesh in one place, a file of some kilobytes, cost one of them.
-    pub(crate) fn is_repeated(&self, instance: usize) -> bool {
-        let Some(before) = instance.checked_sub(1).map(|before| &self.list[before]) else {
+    /// Whether a cluster of an instance, by its number within it, repeats the one before it where nothing
+    /// shows through.
+    pub(crate) fn is_cluster_repeated(&self, instance: usize, within: usize) -> bool {
+        let Instance { clusters, parts, .. } = &self.list[instance];
+        if !clusters.is_repeated(within) {
             return false;
-        };
-        let own = &self.list[instance];
-        std::ptr::eq(own.mesh, before.mesh)
-            && own.view_from_local == before.view_from_local
-            && own.parts == before.parts
-            && own.parts.iter().all(|part| part.coverage == Coverage::Opaque)
+        }
+        let [before, own] = [within - 1, within].map(|cluster| {
+            (parts[clusters.headers[cluster].part as usize], self.ranks(instance, cluster))
+        });
+        let slots = 0..usize::from(clusters.headers[within].triangles);
+        before.0 == own.0
+            && own.0.coverage == Coverage::Opaque
+            && slots.into_iter().all(|slot| before.1.of(slot) == own.1.of(slot))
     }
 
     /// The instance that a cluster belongs to.

@@ -6,6 +6,7 @@ mod clusters;
 mod hilbert;
 mod instances;
 mod normal_cone;
+mod repeats;
 mod transient_block;
 
 pub(crate) use block::{Block, CLUSTER_VERTICES, GROUP_WORDS};

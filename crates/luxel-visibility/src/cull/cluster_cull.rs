@@ -145,7 +145,7 @@ struct Piece {
 const MOST_GROUPS: usize = 64;
 
 fn pieces(instances: &Instances<'_>) -> Vec<Piece> {
-    let shown = (0..instances.list.len()).filter(|&instance| !instances.is_repeated(instance));
+    let shown = (0..instances.list.len()).filter(|&instance| !instances.list[instance].is_repeated);
     let pieces_of = |instance: usize| {
         let groups = instances.list[instance].clusters.count().div_ceil(LANES);
         (0..groups)
@@ -193,8 +193,15 @@ pub(crate) fn visible_clusters(
             let Instance { clusters, parts, .. } = &instances.list[*instance];
             let first = instances.first_clusters[*instance];
             let faces = culler.as_ref().map(|culler| BackFaces { culler, parts });
-            let (groups, out) = (groups.clone(), &mut visible);
+            let (groups, before) = (groups.clone(), visible.len());
+            let out = &mut visible;
             dispatch!(level, simd => cull_groups(simd, transform, size, clusters, groups, first, faces, out));
+            if clusters.has_repeated() {
+                let repeated = |visible: &mut VisibleCluster| {
+                    instances.is_cluster_repeated(*instance, (visible.cluster - first) as usize)
+                };
+                visible.extract_if(before.., repeated).for_each(drop);
+            }
         }
         visible
     });
@@ -320,7 +327,7 @@ fn cull_group<S: Simd>(
 mod tests {
     use super::*;
     use crate::cluster::{Frames, TransientBlock};
-    use crate::types::CullFaces;
+    use crate::types::{Coverage, CullFaces, ViewFromLocal};
     use glam::{DMat4, DVec3};
     use luxel_math::{SimdLevel, dispatch};
     use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection};
@@ -396,6 +403,57 @@ mod tests {
                 }
                 prop_assert!(seen.is_some() || !inside, "cluster {} is seen", cluster);
             }
+        }
+    }
+
+    #[test]
+    fn clusters_that_repeat_the_one_before_are_left_out_where_nothing_shows_through() {
+        let opaque = PartUse::default();
+        let blended = PartUse { coverage: Coverage::Blended, ..opaque };
+        let one_sided = PartUse { cull: CullFaces::CounterClockwise, ..opaque };
+        // Each is a part, and a cluster, of its own: places of the triangle, and how it is drawn.
+        let triangles = [
+            (0.0, opaque),
+            (0.0, opaque),
+            (0.0, opaque),
+            (0.0, one_sided),
+            (0.0, one_sided),
+            (0.0, blended),
+            (0.0, blended),
+            (0.5, opaque),
+            (0.0, opaque),
+            (0.0, opaque),
+        ];
+        let places = triangles.map(|(x, _)| [x, 0.0, 0.0]);
+        let mut mesh = mesh(&places, 1.0);
+        mesh.parts = (0..places.len() as u32)
+            .map(|first| Part { first, count: 1, material: MaterialId(first) })
+            .collect();
+        let view_from_local = ViewFromLocal::new(
+            &Camera::look_at(DVec3::new(0.0, 0.0, 9.0), DVec3::ZERO, DVec3::Y),
+            DVec3::ZERO,
+        );
+        let lens = Lens::Perspective { fov_y_radians: 0.8 };
+        let projection = Projection { lens, near: 0.1, far: 100.0 };
+        let seen_with = |frames, ranks: &[(u32, u8)]| {
+            let clusters = Clusters::new(&mesh, frames);
+            let instance = Instance {
+                mesh: &mesh,
+                clusters: &clusters,
+                view_from_local: &view_from_local,
+                parts: triangles.iter().map(|(_, part)| *part).collect(),
+                ranks,
+                is_repeated: false,
+            };
+            let instances = Instances::new(vec![instance], &projection, SIZE).unwrap();
+            let level = SimdLevel::Auto.resolve().unwrap();
+            let visible = visible_clusters(&instances, &projection, SIZE, level);
+            visible.map(|visible| visible.cluster).collect::<Vec<_>>()
+        };
+        for frames in [Frames::Many, Frames::One] {
+            assert_eq!(seen_with(frames, &[]), [0, 3, 5, 6, 7, 8]);
+            // The second is set back behind another object's triangle, and shows nowhere; the third isn't.
+            assert_eq!(seen_with(frames, &[(1, 1)]), [0, 1, 2, 3, 5, 6, 7, 8]);
         }
     }
 

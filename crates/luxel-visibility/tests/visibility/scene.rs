@@ -138,6 +138,7 @@ impl Built {
                 view_from_local,
                 parts: parts.as_slice().into(),
                 ranks: &[],
+                is_repeated: false,
             })
             .collect();
         let lens = Lens::Orthographic { height: f64::from(self.size.height) };

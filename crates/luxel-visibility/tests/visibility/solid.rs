@@ -85,7 +85,7 @@ impl View {
         view_from_local: &'a ViewFromLocal,
     ) -> Instance<'a> {
         let parts = vec![self.part; mesh.parts.len()].into();
-        Instance { mesh, clusters, view_from_local, parts, ranks: &[] }
+        Instance { mesh, clusters, view_from_local, parts, ranks: &[], is_repeated: false }
     }
 
     fn frame<'a>(&self, instances: Vec<Instance<'a>>, level: Level) -> Frame<'a> {

@@ -87,6 +87,7 @@ fn at_every_level(wires: Option<Edges>, check: impl Fn(&Scene, &Frame<'_>, &Alph
         view_from_local: &place,
         parts: [part; 3].into(),
         ranks: &[],
+        is_repeated: false,
     };
     let lens = Lens::Perspective { fov_y_radians: 0.8 };
     let projection = Projection { lens, near: 0.1, far: 20.0 };
