@@ -15,7 +15,7 @@ impl Report {
             let node = objects[place.object as usize].node;
             json!({
                 "index": place.object,
-                "object": scene.nodes[node.index()].name,
+                "object": scene.nodes[node.index()].name.as_str(),
                 "path": scene.path(node),
                 "triangle": place.triangle,
                 "position": place.position.to_array(),

@@ -15,7 +15,7 @@ fn tree(nodes: Value, roots: Value) -> Document {
 }
 
 fn names(document: &Document) -> Vec<String> {
-    document.load().scene.nodes.into_iter().map(|node| node.name).collect()
+    document.load().scene.nodes.iter().map(|node| node.name.to_string()).collect()
 }
 
 #[test]

@@ -51,6 +51,8 @@ pub use opacity::{OpacityCorners, OpacityLanes};
 pub use restyle::Restyle;
 pub use scene::{Object, Scene, bodies, is_same_matrix};
 pub use sections::{Joiner, SectionRange};
+/// A name of a node or a material, in 24 bytes: up to 23 letters of ASCII take no memory of their own.
+pub use smol_str::SmolStr as Name;
 pub use texture::{Filter, Image, MipLevel, Sampler, Texture, Wrap};
 pub use topology::{Topology, weld};
 pub use triangulate::triangulate;

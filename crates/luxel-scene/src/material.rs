@@ -1,6 +1,6 @@
 //! Materials of a scene: constants of reflection with the textures that vary them.
 
-use crate::TextureId;
+use crate::{Name, TextureId};
 use luxel_lighting::Material;
 use luxel_math::Lanes;
 
@@ -10,7 +10,7 @@ use luxel_math::Lanes;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SceneMaterial {
     /// Its name.
-    pub name: String,
+    pub name: Name,
     /// The constants.
     pub constants: Material,
     /// Alpha of the whole surface: the base colour's alpha, or MTL's `d`.
@@ -110,7 +110,7 @@ pub enum Sides {
 impl Default for SceneMaterial {
     fn default() -> Self {
         Self {
-            name: "default".to_owned(),
+            name: "default".into(),
             constants: Material::default(),
             opacity: 1.0,
             alpha_mode: AlphaMode::Opaque,

@@ -1,5 +1,6 @@
 //! The tree of nodes, and the numbers by which things of a scene are named.
 
+use crate::Name;
 use glam::DMat4;
 use std::sync::{Arc, LazyLock};
 
@@ -50,7 +51,7 @@ id!(
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Node {
     /// The file's name, or one made of the node's number or the file's stem.
-    pub name: String,
+    pub name: Name,
     /// The parent; its index may be higher or lower. Never part of a cycle.
     pub parent: Option<NodeId>,
     /// From this node's coordinates to its parent's (to the world's, for a root).
@@ -69,7 +70,7 @@ static IDENTITY: LazyLock<Arc<DMat4>> = LazyLock::new(Arc::default);
 impl Node {
     /// A root in world coordinates.
     #[must_use]
-    pub fn root(name: impl Into<String>, mesh: Option<MeshId>) -> Self {
+    pub fn root(name: impl Into<Name>, mesh: Option<MeshId>) -> Self {
         let parent_from_node = Arc::clone(&IDENTITY);
         Self { name: name.into(), parent: None, parent_from_node, mesh, section: 0 }
     }

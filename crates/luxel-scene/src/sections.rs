@@ -8,7 +8,7 @@
 //! across sections, so that normals, edges and outlines stay those of the object. Objects far from the
 //! world's origin are joined where one origin serves all of them as well as each its own.
 
-use crate::{Bounds, Mesh, MeshId, Node, NormalFault, Part, Scene, Section};
+use crate::{Bounds, Mesh, MeshId, Name, Node, NormalFault, Part, Scene, Section};
 use glam::DVec3;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -344,7 +344,7 @@ impl Joiner {
     }
 
     /// Adds an object.
-    pub fn push(&mut self, name: String, mut mesh: Mesh) {
+    pub fn push(&mut self, name: impl Into<Name>, mut mesh: Mesh) {
         if self.joins
             && mesh.is_joinable()
             && let moves = self.meshes.len() > MOST_APART

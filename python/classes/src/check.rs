@@ -31,7 +31,7 @@ pub(crate) fn findings<'py>(
         let node = objects[place.object as usize].node;
         let entry = PyDict::new(py);
         entry.set_item("index", place.object)?;
-        entry.set_item("object", &shared.scene.nodes[node.index()].name)?;
+        entry.set_item("object", shared.scene.nodes[node.index()].name.as_str())?;
         entry.set_item("path", shared.scene.path(node))?;
         entry.set_item("triangle", place.triangle)?;
         entry.set_item("position", place.position.to_array().to_vec())?;

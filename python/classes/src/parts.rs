@@ -178,7 +178,7 @@ fn material_of(fields: &Fields<'_>, textures: usize) -> PyResult<SceneMaterial> 
     let switch =
         |name| Ok::<_, PyErr>(fields.extract(name, "expected True or False")?.unwrap_or(false));
     let mut material = SceneMaterial {
-        name: fields.extract("name", "expected a text")?.unwrap_or_default(),
+        name: fields.extract::<String>("name", "expected a text")?.unwrap_or_default().into(),
         base_color: texture("base_color_texture")?,
         metallic_roughness: texture("metallic_roughness_texture")?,
         normal: texture("normal_texture")?,

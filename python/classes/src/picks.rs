@@ -45,10 +45,10 @@ impl PyHit {
         let object = &scene.objects()[hit.object];
         Self {
             object: hit.object,
-            name: scene.nodes[object.node.index()].name.clone(),
+            name: scene.nodes[object.node.index()].name.to_string(),
             element,
             index,
-            material: scene.materials[hit.material.index()].name.clone(),
+            material: scene.materials[hit.material.index()].name.to_string(),
             barycentric: hit.barycentric,
             position: hit.position.to_array(),
             normal: hit.normal,

@@ -171,7 +171,7 @@ impl PyScene {
     fn objects(&self) -> Vec<String> {
         let scene = &self.shared.scene;
         let objects = scene.objects();
-        objects.iter().map(|object| scene.nodes[object.node.index()].name.clone()).collect()
+        objects.iter().map(|object| scene.nodes[object.node.index()].name.to_string()).collect()
     }
 
     /// The names of the cameras of the file.

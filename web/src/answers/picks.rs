@@ -22,7 +22,7 @@ pub(super) fn pick(view: &mut ModelView, at: [f64; 2]) -> Result<Option<String>,
     let hit = hit_at(view, at)?;
     let scene = view.renderer.scene();
     let object = hit.and_then(|hit| scene.objects().into_iter().nth(hit.object));
-    Ok(object.map(|object| scene.nodes[object.node.index()].name.clone()))
+    Ok(object.map(|object| scene.nodes[object.node.index()].name.to_string()))
 }
 
 pub(super) fn pick_json(

@@ -341,7 +341,7 @@ fn legend_to_json(legend: &Legend, layer: &Layer, scene: &Scene) -> Value {
                 if *layer == Layer::Object
                     && let Some(object) = objects.get(*id as usize)
                 {
-                    entry["name"] = json!(scene.nodes[object.node.index()].name);
+                    entry["name"] = json!(scene.nodes[object.node.index()].name.as_str());
                 }
                 entry
             };

@@ -84,6 +84,52 @@ fn hundreds_of_thousands_of_groups_take_ten_times_their_file() {
     }
 }
 
+#[test]
+fn hundreds_of_thousands_of_used_materials_take_ten_times_their_file() {
+    let folder = Folder::new();
+    let mut text = String::new();
+    let mut model = String::from("mtllib all.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    for number in 0..200_000 {
+        let _ = writeln!(text, "newmtl m{number}\nKd .5 .5 .5");
+        let _ = writeln!(model, "usemtl m{number}\nf 1 2 3");
+    }
+    folder.write("all.mtl", &text);
+    folder.write("used.obj", &model);
+    read_within_bounds(&folder, "used.obj", text.len() + model.len());
+}
+
+/// A document with these nodes, all of them roots, and a mesh of one triangle.
+fn document(node: &str, count: usize) -> String {
+    let numbers: Vec<String> = (0..=count).map(|number| number.to_string()).collect();
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{{"mesh":0}},{}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],"buffers":[{{"byteLength":36,
+        "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}],
+        "bufferViews":[{{"buffer":0,"byteLength":36}}],"accessors":[{{"bufferView":0,
+        "componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}}]}}"#,
+        numbers.join(","),
+        vec![node; count].join(","),
+    )
+}
+
+#[test]
+fn a_million_nodes_without_anything_take_ten_times_their_file() {
+    let folder = Folder::new();
+    let text = document("{}", 1_000_000);
+    folder.write("empty.gltf", &text);
+    read_within_bounds(&folder, "empty.gltf", text.len());
+}
+
+#[test]
+fn hundreds_of_thousands_of_instances_in_one_place_take_ten_times_their_file() {
+    let folder = Folder::new();
+    let text = document(r#"{"mesh":0}"#, 200_000);
+    folder.write("same.gltf", &text);
+    read_within_bounds(&folder, "same.gltf", text.len());
+    let pick = ["pick same.gltf --size 64x48 --at 32,24".to_owned()];
+    work_within_bounds(&folder, &pick, text.len());
+}
+
 /// The trees that shadows need, in bytes, by the message of a run that may not take them.
 fn trees_of(folder: &Folder, line: &str, limit: &str) -> u64 {
     let run = folder.run(line.split_whitespace().chain(["--max-memory", limit]));

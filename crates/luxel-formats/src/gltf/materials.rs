@@ -8,7 +8,7 @@ use crate::Error;
 use crate::warnings::Warnings;
 use luxel_gltf::{Index, Material as FileMaterial, MetallicRoughness, TextureTransform};
 use luxel_lighting::{Material, Reflection};
-use luxel_scene::{AlphaMode, Encoding, SceneMaterial, Sides, TextureUse};
+use luxel_scene::{AlphaMode, Encoding, Name, SceneMaterial, Sides, TextureUse};
 
 /// The default cutoff of masks.
 const DEFAULT_CUTOFF: f32 = 0.5;
@@ -135,16 +135,16 @@ pub(crate) fn defaults(used: &DefaultMaterials) -> Vec<SceneMaterial> {
     // One-sided as the format requires (section 3.9.6); colour and gloss are luxel's defaults.
     let plain = SceneMaterial { sides: Sides::Front, ..SceneMaterial::default() };
     let mut colored = plain.clone();
-    "vertex colors".clone_into(&mut colored.name);
+    colored.name = "vertex colors".into();
     colored.constants.diffuse = [1.0; 3];
     let mut requested: Vec<_> = used.used.into_iter().zip([plain, colored]).collect();
     requested.sort_by_key(|&(id, _)| id);
     requested.into_iter().filter(|(id, _)| id.is_some()).map(|(_, material)| material).collect()
 }
 
-fn name(material: &FileMaterial, index: usize) -> String {
-    let name = material.name.clone().filter(|name| !name.is_empty());
-    name.unwrap_or_else(|| format!("material_{index}"))
+fn name(material: &FileMaterial, index: usize) -> Name {
+    let name = material.name.as_deref().filter(|name| !name.is_empty());
+    name.map_or_else(|| format!("material_{index}").into(), Name::from)
 }
 
 fn alpha_mode(material: &FileMaterial, pointer: &str) -> Result<AlphaMode, Error> {

@@ -12,7 +12,7 @@ use crate::warnings::Warnings;
 use crate::{Error, Place};
 use glam::{DMat4, DVec3};
 use luxel_gltf::{Index, Node as FileNode};
-use luxel_scene::{MeshId, Node, NodeId, Placement, Scene, SceneCamera, SceneLight};
+use luxel_scene::{MeshId, Name, Node, NodeId, Placement, Scene, SceneCamera, SceneLight};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -55,12 +55,12 @@ pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Sc
 }
 
 /// The node's name, else its mesh's, else `node` with its number.
-fn name(buffers: &Buffers<'_>, node: &FileNode, index: Index) -> String {
+fn name(buffers: &Buffers<'_>, node: &FileNode, index: Index) -> Name {
     let meshes = &buffers.document().meshes;
-    let of_mesh = || node.mesh.and_then(|mesh| meshes.get(mesh as usize)?.name.clone());
-    let given = |name: &String| !name.is_empty();
-    let name = node.name.clone().filter(given).or_else(|| of_mesh().filter(given));
-    name.unwrap_or_else(|| format!("node_{index}"))
+    let of_mesh = || node.mesh.and_then(|mesh| meshes.get(mesh as usize)?.name.as_deref());
+    let given = |name: &&str| !name.is_empty();
+    let name = node.name.as_deref().filter(given).or_else(|| of_mesh().filter(given));
+    name.map_or_else(|| format!("node_{index}").into(), Name::from)
 }
 
 struct Builder<'b, 'd> {
@@ -80,7 +80,7 @@ impl Builder<'_, '_> {
         let node = &document.nodes[index as usize];
         if let Some(mesh) = node.mesh {
             let mesh = self.mesh(node, index, mesh)?;
-            match &node.extensions.instancing {
+            match &node.more().extensions.instancing {
                 Some(instancing) => {
                     let pointer = format!("/nodes/{index}/extensions/EXT_mesh_gpu_instancing");
                     let places = instancing::places(self.buffers, instancing, &pointer)?;
@@ -89,7 +89,7 @@ impl Builder<'_, '_> {
                 None => self.scene.nodes[id.index()].mesh = Some(mesh),
             }
         }
-        if let Some(camera) = node.camera {
+        if let Some(camera) = node.more().camera {
             let pointer = || format!("/nodes/{index}/camera");
             let file_camera = item(&document.cameras, camera, "camera", &pointer)?;
             let (lens, planes) = cameras::convert(file_camera, camera)?;
@@ -100,7 +100,7 @@ impl Builder<'_, '_> {
             let view_from_node = DMat4::IDENTITY;
             self.scene.cameras.push(SceneCamera { name, node, view_from_node, lens, planes });
         }
-        if let Some(light) = &node.extensions.light {
+        if let Some(light) = &node.more().extensions.light {
             let number = light.light;
             let pointer = || format!("/nodes/{index}/extensions/KHR_lights_punctual/light");
             let lights = document.extensions.lights.as_ref();
@@ -125,9 +125,9 @@ impl Builder<'_, '_> {
         node: &FileNode,
         by_number: impl FnOnce() -> String,
     ) -> String {
-        let given = |name: &&String| !name.is_empty();
-        let name = own.as_ref().filter(given).or(node.name.as_ref().filter(given));
-        name.cloned().unwrap_or_else(by_number)
+        let given = |name: &&str| !name.is_empty();
+        let name = own.as_deref().filter(given).or(node.name.as_deref().filter(given));
+        name.map_or_else(by_number, str::to_owned)
     }
 
     /// The mesh of a node, in that node's pose.
@@ -135,14 +135,15 @@ impl Builder<'_, '_> {
         let meshes = &self.buffers.document().meshes;
         let pointer = || format!("/nodes/{index}/mesh");
         let file_mesh = item(meshes, number, "mesh", &pointer)?;
-        let is_shared = node.weights.is_none() && node.skin.is_none();
+        let more = node.more();
+        let is_shared = more.weights.is_none() && more.skin.is_none();
         if let Some(&mesh) = self.shared_meshes.get(&number).filter(|_| is_shared) {
             return Ok(mesh);
         }
-        let weights = node.weights.as_ref().or(file_mesh.weights.as_ref());
+        let weights = more.weights.as_ref().or(file_mesh.weights.as_ref());
         let pose = Pose {
             weights: weights.map_or_else(Vec::new, |weights| weights.to_vec()),
-            joints: match node.skin {
+            joints: match more.skin {
                 Some(skin) => self.joints(skin, index)?,
                 None => None,
             },
@@ -177,7 +178,7 @@ impl Builder<'_, '_> {
             let message = format!("there are {} for {joints} joints", inverse_bind.len());
             return Err(malformed(pointer(), message));
         }
-        let world_from_node = &self.tree.world_from_nodes[node as usize];
+        let world_from_node = self.tree.world_from_node(node);
         let node_from_world = world_from_node.inverse();
         if !node_from_world.is_finite() {
             let message = "the skin is left out: the node's transform has no inverse";
@@ -188,7 +189,7 @@ impl Builder<'_, '_> {
         for (place, (&joint, bind)) in skin.joints.iter().zip(&inverse_bind).enumerate() {
             let pointer = || format!("/skins/{number}/joints/{place}");
             item(&document.nodes, joint, "node", &pointer)?;
-            let world_from_joint = *self.tree.world_from_nodes[joint as usize];
+            let world_from_joint = *self.tree.world_from_node(joint);
             let joint_from_mesh = DMat4::from_cols_array(bind);
             matrices.push(node_from_world * (world_from_joint * joint_from_mesh));
         }

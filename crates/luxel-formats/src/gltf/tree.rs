@@ -4,14 +4,14 @@ use super::buffers::{item, malformed};
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place};
 use glam::{DMat4, DQuat, DVec3};
-use luxel_gltf::{Document, Index, Node};
+use luxel_gltf::{Document, Index, MoreOfNode, Node};
 use std::sync::Arc;
 
 /// The document's nodes, checked: each has one parent at most, and none is its own ancestor.
 #[derive(Debug)]
 pub(crate) struct Tree {
-    /// Each node's transform to the world; a root's is that to its parent.
-    pub(crate) world_from_nodes: Vec<Arc<DMat4>>,
+    /// Each node's transform to the world; none where all nodes are roots.
+    world_from_nodes: Vec<Arc<DMat4>>,
     /// Each node's transform to its parent; nodes without one share the identity.
     pub(crate) parent_from_nodes: Vec<Arc<DMat4>>,
     /// The nodes of the shown scene, parents before children.
@@ -47,8 +47,9 @@ impl Tree {
             if placement == *identity { Arc::clone(&identity) } else { Arc::new(placement) }
         };
         let parent_from_nodes: Vec<_> = nodes.map(shared).collect();
-        let mut world_from_nodes = parent_from_nodes.clone();
-        for &node in &order {
+        let is_flat = parents.iter().all(Option::is_none);
+        let mut world_from_nodes = if is_flat { Vec::new() } else { parent_from_nodes.clone() };
+        for node in order {
             if let Some(parent) = parents[node as usize] {
                 let node = node as usize;
                 let parent = &world_from_nodes[parent as usize];
@@ -56,13 +57,20 @@ impl Tree {
             }
         }
         let shown = walk(document, &roots, &parents);
-        for &Shown { node, .. } in &shown {
-            if !world_from_nodes[node as usize].is_finite() {
+        let tree = Self { world_from_nodes, parent_from_nodes, shown };
+        for &Shown { node, .. } in &tree.shown {
+            if !tree.world_from_node(node).is_finite() {
                 let message = "the node's world transform is not finite";
                 return Err(malformed(format!("/nodes/{node}"), message));
             }
         }
-        Ok(Self { world_from_nodes, parent_from_nodes, shown })
+        Ok(tree)
+    }
+
+    /// A node's transform to the world; a root's is that to its parent.
+    pub(crate) fn world_from_node(&self, node: Index) -> &DMat4 {
+        let node = node as usize;
+        self.world_from_nodes.get(node).unwrap_or_else(|| &self.parent_from_nodes[node])
     }
 }
 
@@ -70,7 +78,7 @@ impl Tree {
 fn parents(document: &Document) -> Result<Vec<Option<Index>>, Error> {
     let mut parents: Vec<Option<Index>> = vec![None; document.nodes.len()];
     for (index, node) in document.nodes.iter().enumerate() {
-        for (place, &child) in node.children.iter().enumerate() {
+        for (place, &child) in node.more().children.iter().enumerate() {
             let pointer = || format!("/nodes/{index}/children/{place}");
             item(&document.nodes, child, "node", &pointer)?;
             if let Some(other) = parents[child as usize].replace(index as Index) {
@@ -181,23 +189,26 @@ fn parents_first(parents: &[Option<Index>], limits: &Limits) -> Result<Vec<Index
 
 /// The nodes of the scene in depth-first order.
 fn walk(document: &Document, roots: &[Index], parents: &[Option<Index>]) -> Vec<Shown> {
-    let mut shown = Vec::new();
-    let mut waiting: Vec<Shown> =
-        roots.iter().rev().map(|&node| Shown { node, parent: None }).collect();
-    while let Some(next) = waiting.pop() {
-        let parent = Some(shown.len() as u32);
-        shown.push(next);
-        let children = document.nodes[next.node as usize].children.iter().rev();
-        // A child that is also a root is drawn as a root.
-        let own = children.filter(|&&child| parents[child as usize] == Some(next.node));
-        waiting.extend(own.map(|&node| Shown { node, parent }));
+    // Each is shown once, and lists that grow leave holes in the memory.
+    let mut shown = Vec::with_capacity(document.nodes.len());
+    let mut waiting = Vec::new();
+    for &root in roots {
+        waiting.push(Shown { node: root, parent: None });
+        while let Some(next) = waiting.pop() {
+            let parent = Some(shown.len() as u32);
+            shown.push(next);
+            let children = document.nodes[next.node as usize].more().children.iter().rev();
+            // A child that is also a root is drawn as a root.
+            let own = children.filter(|&&child| parents[child as usize] == Some(next.node));
+            waiting.extend(own.map(|&node| Shown { node, parent }));
+        }
     }
     shown
 }
 
 /// From a node to its parent: a matrix, or scale, then rotation, then translation.
 fn placement(node: &Node, index: usize, warnings: &mut Warnings) -> DMat4 {
-    let Node { matrix, translation, rotation, scale, .. } = node;
+    let MoreOfNode { matrix, rotation, scale, .. } = node.more();
     if let Some(matrix) = matrix {
         return DMat4::from_cols_array(matrix);
     }
@@ -213,6 +224,6 @@ fn placement(node: &Node, index: usize, warnings: &mut Warnings) -> DMat4 {
         DQuat::IDENTITY
     };
     let scale = scale.as_deref().copied().map_or(DVec3::ONE, DVec3::from_array);
-    let translation = translation.as_deref().copied().map_or(DVec3::ZERO, DVec3::from_array);
+    let translation = node.translation.as_deref().copied().map_or(DVec3::ZERO, DVec3::from_array);
     DMat4::from_scale_rotation_translation(scale, rotation, translation)
 }

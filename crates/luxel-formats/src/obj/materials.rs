@@ -118,7 +118,7 @@ impl<'a> Materials<'a> {
             }
         };
         if let Some(name) = name {
-            material.name = shown(name);
+            material.name = shown(name).into();
         }
         if definition.is_none() && is_colored {
             // The vertex colour replaces the material's.

@@ -254,7 +254,7 @@ fn worn(original: &SceneMaterial, on_top: &[usize], changes: &[Named]) -> SceneM
             material = SceneMaterial { vertex_colors: false, ..SceneMaterial::default() };
         }
         restyle.apply(&mut material);
-        material.name.clone_from(name);
+        material.name = name.into();
     }
     material
 }

@@ -2,13 +2,13 @@
 
 use super::document::Table;
 use crate::Error;
-use luxel_scene::{NodeId, Scene};
+use luxel_scene::{Name, NodeId, Scene};
 use std::collections::BTreeMap;
 
 /// The nodes of a scene by name.
 #[derive(Default)]
 pub(super) struct Nodes {
-    by_name: BTreeMap<String, Vec<NodeId>>,
+    by_name: BTreeMap<Name, Vec<NodeId>>,
 }
 
 impl Nodes {
@@ -23,7 +23,7 @@ impl Nodes {
     pub(super) fn all(&self, scene: &Scene, path: &[String]) -> Vec<NodeId> {
         let split: Vec<&str> = match path {
             // A name may contain a `/`.
-            [name] if !self.by_name.contains_key(name) => name.split('/').collect(),
+            [name] if !self.by_name.contains_key(name.as_str()) => name.split('/').collect(),
             names => names.iter().map(String::as_str).collect(),
         };
         let Some((last, above)) = split.split_last() else { return Vec::new() };
@@ -74,7 +74,7 @@ impl Nodes {
 
     /// The error for an unknown node name.
     pub(super) fn missing(&self, table: &Table<'_>, key: &str, path: &[String]) -> Error {
-        let known = self.by_name.keys().map(String::as_str);
+        let known = self.by_name.keys().map(Name::as_str);
         table.unknown_name(key, "node", &path.join("/"), known)
     }
 }

@@ -267,7 +267,7 @@ impl PixelScene<'_> {
         let node = self.renderer.objects()[object].node;
         Seen::Surface(Box::new(ExplainedSurface {
             object,
-            name: scene.scene.nodes[node.index()].name.clone(),
+            name: scene.scene.nodes[node.index()].name.to_string(),
             triangle,
             barycentric: lit.barycentric,
             texture: lit.texture,
@@ -278,7 +278,7 @@ impl PixelScene<'_> {
             uv: lit.uv,
             openness: lit.openness,
             material: ExplainedMaterial {
-                name: material.name.clone(),
+                name: material.name.to_string(),
                 constants: material.constants.clone(),
                 reflectance,
             },

@@ -58,7 +58,7 @@ pub(super) fn shadow_at(
                 }
                 None => {
                     let node = shadows.rays.objects()[object].node;
-                    let name = scene.scene.nodes[node.index()].name.clone();
+                    let name = scene.scene.nodes[node.index()].name.to_string();
                     blocked_by.push(BlockedBy { object, name, triangle, distance: t, share });
                 }
             }

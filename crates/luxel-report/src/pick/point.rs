@@ -120,7 +120,7 @@ fn hit_to_json(view: &PickView<'_>, hit: &PickHit) -> Value {
     entry.insert("color".into(), json!(hit.color));
     entry.insert("distance".into(), json!(hit.distance));
     entry.insert("depth".into(), json!(hit.depth));
-    entry.insert("material".into(), json!(material.map(|material| &material.name)));
+    entry.insert("material".into(), json!(material.map(|material| material.name.as_str())));
     if let Some(polygon) = view.polygon_of(hit) {
         entry.insert("polygon".into(), json!(polygon.number));
         entry.insert("vertex".into(), polygon.vertex.map_or(Value::Null, vertex_to_json));

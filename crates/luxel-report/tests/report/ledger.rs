@@ -14,7 +14,7 @@ const NASTY: &str = "<script>_$\\input{x}&\"'\u{6728}\x1b[2J";
 fn nasty() -> (Scene, View) {
     let mut scene = teapot();
     for node in &mut scene.nodes {
-        node.name = NASTY.to_owned();
+        node.name = NASTY.into();
     }
     let mut view = view(&scene);
     view.lights[0].name = NASTY.to_owned();

@@ -40,7 +40,7 @@ impl MaterialOverrides {
             let Some(material) = scene.materials.get(at) else { continue };
             let same = scene.materials.iter().filter(|one| one.name == material.name);
             if same.count() == 1 {
-                let surface = Some(material.name.clone());
+                let surface = Some(material.name.to_string());
                 changes.push(SurfaceChange { object: None, surface, restyle: restyle.clone() });
                 continue;
             }
@@ -64,7 +64,7 @@ impl MaterialOverrides {
                 }
                 changes.push(SurfaceChange {
                     object: Some(own),
-                    surface: Some(material.name.clone()),
+                    surface: Some(material.name.to_string()),
                     restyle: restyle.clone(),
                 });
             }
@@ -141,7 +141,7 @@ mod tests {
         overrides.edit(1).set_parameter(&K_D, 0.5);
         let changes = overrides.surface_changes(&scene, &scene.objects()).unwrap();
         assert_eq!(changes.len(), 1);
-        assert_eq!(changes[0].surface.as_ref(), Some(&scene.materials[1].name));
+        assert_eq!(changes[0].surface.as_deref(), Some(scene.materials[1].name.as_str()));
         assert_eq!((&changes[0].object, changes[0].restyle.parameter(&K_D)), (&None, Some(0.5)));
         // Two materials with the same name, on different objects.
         scene.materials[0].name = scene.materials[1].name.clone();
@@ -154,7 +154,7 @@ mod tests {
         // On objects with the same name, too.
         let nodes: Vec<_> = objects.iter().map(|object| object.node).collect();
         for node in nodes {
-            scene.nodes[node.index()].name = "ball".to_owned();
+            scene.nodes[node.index()].name = "ball".into();
         }
         assert!(overrides.surface_changes(&scene, &scene.objects()).is_err());
     }

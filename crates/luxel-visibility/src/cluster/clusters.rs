@@ -59,7 +59,7 @@ pub struct Clusters {
 enum Order {
     /// From this one on, one after the other.
     File(u32),
-    Curve(Vec<u32>),
+    Curve(Box<[u32]>),
 }
 
 impl Clusters {
@@ -71,10 +71,10 @@ impl Clusters {
             Frames::Many => all.cut(mesh),
             Frames::One => all.divide(mesh),
         };
-        all.bounds = by_sixteen(&boxes);
         all.repeats = Repeats::new(mesh, &boxes, |cluster| {
             (all.numbers(cluster), usize::from(all.headers[cluster].triangles))
         });
+        all.bounds = by_sixteen(boxes);
         all
     }
 
@@ -96,7 +96,7 @@ impl Clusters {
             boxes.extend(built.boxes);
             cones.extend(built.cones);
         }
-        self.orders.extend(orders.into_iter().map(Order::Curve));
+        self.orders.extend(orders.into_iter().map(|order| Order::Curve(order.into())));
         self.cones = Cone::by_sixteen(&cones);
         boxes
     }
@@ -110,7 +110,7 @@ impl Clusters {
             self.orders.push(if is_local(mesh, range(part)) {
                 Order::File(part.first)
             } else {
-                Order::Curve(along_curve(mesh, range(part)))
+                Order::Curve(along_curve(mesh, range(part)).into())
             });
             let first_numbers = (0..part.count).step_by(TRANSIENT_TRIANGLES);
             self.headers.extend(first_numbers.map(|first_number| Header {
@@ -248,21 +248,23 @@ fn range(part: &Part) -> std::ops::Range<usize> {
     part.first as usize..part.first as usize + part.count as usize
 }
 
-/// The boxes of all clusters, transposed for the lanes; the last group repeats its last box. A single one
-/// stays as it is.
-fn by_sixteen(boxes: &[[f32; 6]]) -> Vec<f32> {
-    if let [single] = boxes {
-        return single.to_vec();
-    }
-    let mut bounds = Vec::with_capacity(boxes.len().next_multiple_of(LANES) * 6);
-    for group in boxes.chunks(LANES) {
-        for side in 0..6 {
-            let last = group[group.len() - 1];
-            let padded = group.iter().chain(std::iter::repeat(&last)).take(LANES);
-            bounds.extend(padded.map(|bounds| bounds[side]));
+/// The boxes of all clusters, transposed for the lanes where they are; the last group repeats its last box. A
+/// single one stays as it is.
+fn by_sixteen(mut boxes: Vec<[f32; 6]>) -> Vec<f32> {
+    if boxes.len() > 1
+        && let Some(&last) = boxes.last()
+    {
+        let padding = boxes.len().next_multiple_of(LANES) - boxes.len();
+        boxes.reserve_exact(padding);
+        boxes.extend(std::iter::repeat_n(last, padding));
+        for group in boxes.as_chunks_mut::<LANES>().0 {
+            let of_clusters = *group;
+            for (place, bound) in group.as_flattened_mut().iter_mut().enumerate() {
+                *bound = of_clusters[place % LANES][place / LANES];
+            }
         }
     }
-    bounds
+    boxes.into_flattened()
 }
 
 #[cfg(test)]

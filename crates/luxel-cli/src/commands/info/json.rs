@@ -68,7 +68,7 @@ impl Survey<'_> {
 
     fn object_to_json(&self, (object, bounds): &(Object, Bounds)) -> Value {
         json!({
-            "name": self.scene.nodes[object.node.index()].name,
+            "name": self.scene.nodes[object.node.index()].name.as_str(),
             "path": self.scene.path(object.node),
             "triangles": self.triangles(object),
             "bounds": bounds_to_json(bounds),
@@ -163,7 +163,7 @@ fn material_to_json(material: &SceneMaterial) -> Value {
     ];
     let used = textures.iter().filter(|(_, texture)| texture.is_some()).map(|(name, _)| *name);
     let mut value = json!({
-        "name": material.name,
+        "name": material.name.as_str(),
         "reflection": constants.reflection.name(),
         "ambient": constants.ambient,
         "diffuse": constants.diffuse,

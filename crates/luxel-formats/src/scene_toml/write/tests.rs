@@ -230,10 +230,10 @@ proptest! {
             let name = &before.nodes[object.node.index()].name;
             let mut expected = material_of(&before, name);
             all.apply(&mut expected);
-            expected.name = "surface".to_owned();
+            expected.name = "surface".into();
             if name == "ground" {
                 one.apply(&mut expected);
-                expected.name = "ground".to_owned();
+                expected.name = "ground".into();
             }
             prop_assert_eq!(material_of(&scene, name), expected);
         }

@@ -133,7 +133,7 @@ fn nearest(unseen: &Unseen, session: &Session) -> String {
 fn name_of(session: &Session, object: usize) -> String {
     let node = session.objects.get(object).map(|object| object.node.index());
     let node = node.and_then(|node| session.model.scene.nodes.get(node));
-    node.map(|node| node.name.clone()).unwrap_or_default()
+    node.map(|node| node.name.to_string()).unwrap_or_default()
 }
 
 /// A bar divided by the luminance of the terms.

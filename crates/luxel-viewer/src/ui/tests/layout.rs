@@ -51,10 +51,10 @@ impl Stage {
     fn crowded(size: (u32, u32)) -> Self {
         let mut scene = demos::demo("teapot").unwrap();
         for node in &mut scene.nodes {
-            node.name = LONG.to_owned();
+            node.name = LONG.into();
         }
         for material in &mut scene.materials {
-            material.name = LONG.to_owned();
+            material.name = LONG.into();
             let parts = vec![(Reflection::Phong, 0.25), (Reflection::Lambert, 0.75)];
             material.constants.reflection = Reflection::mixed(parts);
         }

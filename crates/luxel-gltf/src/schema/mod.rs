@@ -5,6 +5,9 @@
 
 #![allow(missing_docs, reason = "the names are the specification's, which tells what they mean")]
 
+mod node;
+
+pub use node::{Instancing, MoreOfNode, Node, NodeExtensions, NodeLight};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -57,43 +60,6 @@ pub struct PunctualLights {
 #[serde(default)]
 pub struct Scene {
     pub nodes: Vec<Index>,
-}
-
-// Many nodes of large files have few of these: what they lack takes a pointer's place.
-#[derive(Debug, Default, Deserialize)]
-#[serde(default)]
-pub struct Node {
-    pub name: Option<String>,
-    pub children: Box<[Index]>,
-    pub mesh: Option<Index>,
-    pub skin: Option<Index>,
-    pub camera: Option<Index>,
-    pub weights: Option<Box<[f64]>>,
-    pub matrix: Option<Box<[f64; 16]>>,
-    pub translation: Option<Box<[f64; 3]>>,
-    pub rotation: Option<Box<[f64; 4]>>,
-    pub scale: Option<Box<[f64; 3]>>,
-    pub extensions: NodeExtensions,
-}
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(default)]
-pub struct NodeExtensions {
-    #[serde(rename = "KHR_lights_punctual")]
-    pub light: Option<NodeLight>,
-    #[serde(rename = "EXT_mesh_gpu_instancing")]
-    pub instancing: Option<Box<Instancing>>,
-}
-
-#[derive(Debug, Deserialize)]
-pub struct NodeLight {
-    pub light: Index,
-}
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(default)]
-pub struct Instancing {
-    pub attributes: BTreeMap<String, Index>,
 }
 
 #[derive(Debug, Default, Deserialize)]
