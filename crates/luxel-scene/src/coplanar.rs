@@ -12,7 +12,6 @@
 use crate::{Mesh, Object, Scene, bodies};
 use glam::{DMat4, DVec3, DVec4};
 use luxel_parallel::{gather, map, sort_u64, sort_u128};
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -26,10 +25,12 @@ use voxels::Voxels;
 /// The ranks of triangles that lie in the plane of an earlier object's.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct CoplanarRanks {
-    /// By the first object of each [body](bodies) that has some: the numbers of triangles in its mesh, in
-    /// ascending order, and their ranks.
-    of_bodies: BTreeMap<usize, Arc<[(u32, u8)]>>,
+    /// The first object of each [body](bodies) that has some, in ascending order, and its ranks.
+    of_bodies: Vec<(usize, Ranks)>,
 }
+
+/// Numbers of triangles, in ascending order, and their ranks.
+type Ranks = Arc<[(u32, u8)]>;
 
 /// In deeper piles several triangles have the last rank.
 const MOST_RANKS: u8 = 15;
@@ -73,33 +74,40 @@ impl CoplanarRanks {
         }
         let voxels = Voxels::new(&bodies, [low - middle, high - middle]);
         let candidates = candidates(&bodies, &voxels);
-        let mut of_bodies: BTreeMap<usize, Vec<(u32, u8)>> = BTreeMap::new();
-        for (number, rank) in ranks_of(&candidates, &bodies, &voxels) {
-            let Candidate { body, triangle, count, .. } = candidates[number as usize];
-            let first = bodies[body as usize].objects.start;
-            let list = of_bodies.entry(first).or_default();
-            list.extend((triangle..triangle + count).map(|triangle| (triangle, rank)));
-        }
-        for (first, mut list) in of_bodies {
+        let of_candidates = ranks_of(&candidates, &bodies, &voxels);
+        let body_of = |(number, _): &(u32, u8)| candidates[*number as usize].body;
+        // Candidates stand in the order of the scene.
+        for own in of_candidates.chunk_by(|one, other| body_of(one) == body_of(other)) {
+            let mut list = Vec::new();
+            for &(number, rank) in own {
+                let Candidate { triangle, count, .. } = candidates[number as usize];
+                list.extend((triangle..triangle + count).map(|triangle| (triangle, rank)));
+            }
             list.sort_unstable();
-            ranks.add(scene, objects, first, list.into());
+            let first = bodies[body_of(&own[0]) as usize].objects.start;
+            ranks.add(scene, objects, first, &list.into());
         }
         ranks
     }
 
     /// Adds the ranks of a body, given by its first object, and of those that repeat it.
-    fn add(&mut self, scene: &Scene, objects: &[Object], first: usize, list: Arc<[(u32, u8)]>) {
-        let later = first + 1..objects.len();
-        let repeated = later.take_while(|&next| is_repeated(scene, objects, &(next..next + 1)));
-        self.of_bodies.extend(repeated.map(|next| (next, Arc::clone(&list))));
-        self.of_bodies.insert(first, list);
+    fn add(&mut self, scene: &Scene, objects: &[Object], first: usize, list: &Ranks) {
+        let mut next = first;
+        loop {
+            self.of_bodies.push((next, Arc::clone(list)));
+            next += 1;
+            if next == objects.len() || !is_repeated(scene, objects, &(next..next + 1)) {
+                return;
+            }
+        }
     }
 
     /// The triangles of a body with a rank above 0: their numbers in its mesh, in ascending order, with
     /// their ranks. The body is given by its first object.
     #[must_use]
     pub fn of_body(&self, first_object: usize) -> &[(u32, u8)] {
-        self.of_bodies.get(&first_object).map_or(&[], AsRef::as_ref)
+        let found = self.of_bodies.binary_search_by_key(&first_object, |(first, _)| *first);
+        found.map_or(&[], |place| &self.of_bodies[place].1)
     }
 }
 

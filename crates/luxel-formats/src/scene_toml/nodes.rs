@@ -2,20 +2,20 @@
 
 use super::document::Table;
 use crate::Error;
-use luxel_scene::{Name, NodeId, Scene};
+use luxel_scene::{NodeId, Scene};
 use std::collections::BTreeMap;
 
 /// The nodes of a scene by name.
 #[derive(Default)]
 pub(super) struct Nodes {
-    by_name: BTreeMap<Name, Vec<NodeId>>,
+    by_name: BTreeMap<String, Vec<NodeId>>,
 }
 
 impl Nodes {
     /// Indexes the nodes from `first` on.
     pub(super) fn add(&mut self, scene: &Scene, first: usize) {
         for (index, node) in scene.nodes.iter().enumerate().skip(first) {
-            self.by_name.entry(node.name.clone()).or_default().push(NodeId(index as u32));
+            self.by_name.entry(node.name.to_string()).or_default().push(NodeId(index as u32));
         }
     }
 
@@ -23,7 +23,7 @@ impl Nodes {
     pub(super) fn all(&self, scene: &Scene, path: &[String]) -> Vec<NodeId> {
         let split: Vec<&str> = match path {
             // A name may contain a `/`.
-            [name] if !self.by_name.contains_key(name.as_str()) => name.split('/').collect(),
+            [name] if !self.by_name.contains_key(name) => name.split('/').collect(),
             names => names.iter().map(String::as_str).collect(),
         };
         let Some((last, above)) = split.split_last() else { return Vec::new() };
@@ -74,7 +74,7 @@ impl Nodes {
 
     /// The error for an unknown node name.
     pub(super) fn missing(&self, table: &Table<'_>, key: &str, path: &[String]) -> Error {
-        let known = self.by_name.keys().map(Name::as_str);
+        let known = self.by_name.keys().map(String::as_str);
         table.unknown_name(key, "node", &path.join("/"), known)
     }
 }
