@@ -202,10 +202,11 @@ impl<'s> PlacedScene<'s> {
             return false;
         };
         let own = &self.instances[instance];
-        // What is equal is shared.
-        Arc::ptr_eq(&own.space, &before.space)
-            && Arc::ptr_eq(&own.parts, &before.parts)
-            && std::ptr::eq(self.mesh(own), self.mesh(before))
+        let [first, first_before] =
+            [own, before].map(|instance| &self.objects[instance.objects.start]);
+        own.strokes.is_none()
+            && before.strokes.is_none()
+            && first.repeats(first_before)
             && own.parts.iter().all(|part| part.coverage == Coverage::Opaque)
     }
 

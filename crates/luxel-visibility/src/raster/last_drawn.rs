@@ -5,9 +5,8 @@ use crate::types::TriangleId;
 
 /// The triangle that was drawn last into a tile, where it has no holes.
 ///
-/// One that repeats it and was submitted later is hidden wherever it is: it has the same depths. So a
-/// million copies of a triangle that fills the window, a file of a few megabytes, cost their setup alone:
-/// a second in 640x480 instead of minutes.
+/// One that repeats it and was submitted later is hidden wherever it is: it has the same depths. So copies of
+/// a triangle that fills the window cost their setup alone, where their cluster as a whole repeats none.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct LastDrawn(Option<(Triangle, TriangleId)>);
 
