@@ -30,12 +30,7 @@ pub(super) fn sample<S: Simd>(
     simd.vectorized(
         #[inline(always)]
         || {
-            let texel = if texture.target == Target::Cube {
-                of_cube(texture, lod_bias, footprint, lanes)
-            } else {
-                let place = footprint.on_image(texture.target.dimensions());
-                of_face(texture, 0, lod_bias, &place, lanes)
-            };
+            let texel = of_faces(texture, lod_bias, footprint, lanes);
             if texture.is_depth { of_depth(texture.base, texel) } else { texel }
         },
     )
@@ -52,9 +47,11 @@ fn of_depth<N: Lanes>(base: BaseFormat, [value, ..]: [N; 4]) -> [N; 4] {
     }
 }
 
-/// Table 3.21: the face that a direction meets, and the texel there.
+/// Table 3.21: the face that a direction meets, and the texel there; other textures are their one face.
+///
+/// All textures take the same loop, since a second copy of what samples would double the code.
 #[inline(always)]
-fn of_cube<S: Simd>(
+fn of_faces<S: Simd>(
     texture: &SampledTexture,
     lod_bias: f32,
     footprint: &Footprint<f32x16<S>>,
@@ -65,16 +62,22 @@ fn of_cube<S: Simd>(
     let largest_x = y.abs().less_or_equal(x.abs()) & z.abs().less_or_equal(x.abs());
     let largest_y = !largest_x & z.abs().less_or_equal(y.abs());
     let axes = [largest_x, largest_y, !largest_x & !largest_y];
+    let is_cube = texture.target == Target::Cube;
     let mut texel = [simd.zero(); 4];
-    for face in 0..6 {
-        let axis = face / 2;
-        let negative = [x, y, z][axis].less(simd.zero());
-        let here = axes[axis] & if face % 2 == 1 { negative } else { !negative };
-        let here = here.bits() & lanes;
-        if here == 0 {
-            continue;
-        }
-        let place = footprint.on_face(face);
+    for face in 0..if is_cube { 6 } else { 1 } {
+        let mut here = lanes;
+        let place = if is_cube {
+            let axis = face / 2;
+            let negative = [x, y, z][axis].less(simd.zero());
+            let meets = axes[axis] & if face % 2 == 1 { negative } else { !negative };
+            here &= meets.bits();
+            if here == 0 {
+                continue;
+            }
+            footprint.on_face(face)
+        } else {
+            footprint.on_image(texture.target.dimensions())
+        };
         let of_face = of_face(texture, face, lod_bias, &place, here);
         let mask = simd.mask_of(here);
         for (texel, of_face) in texel.iter_mut().zip(of_face) {
@@ -99,32 +102,33 @@ fn of_face<S: Simd>(
     let dimensions = texture.target.dimensions();
     let source = FaceAt { texture, face, at: place.at };
     let SampledTexture { magnify, minify, .. } = *texture;
-    if texture.between.is_none() && magnify == minify {
-        return source.filtered(0, minify, lanes);
-    }
-    let [width, height, depth] = levels[0].inner_size(dimensions);
-    let size = [width, height, depth];
-    let size = [
-        simd.constant(size[0] as f32),
-        simd.constant(size[1] as f32),
-        simd.constant(size[2] as f32),
-    ];
-    let [right, above] = place.per_pixel;
-    let longer = squared_length(right, size).maximum(squared_length(above, size));
-    let longer = longer.maximum(simd.constant(1e-30));
-    let bias = lod_bias.clamp(-crate::limits::LOD_BIAS, crate::limits::LOD_BIAS);
-    let level = simd.constant(0.5) * log2(longer) + simd.constant(bias);
-    // The lower limit first, as the specification orders the cases.
-    let level =
-        level.maximum(simd.constant(texture.least_lod)).minimum(simd.constant(texture.largest_lod));
-    let detail = match texture.between {
-        Some(between) => {
-            let filters = LevelFilters { magnify, minify, between };
-            Detail::new(level, filters, (levels.len() - 1) as u32, lanes)
-        }
-        None => {
-            let magnified = level.less_or_equal(simd.zero()).bits() & lanes;
-            Detail::of_base(simd, [magnify, minify], magnified)
+    let detail = if texture.between.is_none() && magnify == minify {
+        Detail::of_base(simd, [magnify, minify], 0)
+    } else {
+        let [width, height, depth] = levels[0].inner_size(dimensions);
+        let size = [
+            simd.constant(width as f32),
+            simd.constant(height as f32),
+            simd.constant(depth as f32),
+        ];
+        let [right, above] = place.per_pixel;
+        let longer = squared_length(right, size).maximum(squared_length(above, size));
+        let longer = longer.maximum(simd.constant(1e-30));
+        let bias = lod_bias.clamp(-crate::limits::LOD_BIAS, crate::limits::LOD_BIAS);
+        let level = simd.constant(0.5) * log2(longer) + simd.constant(bias);
+        // The lower limit first, as the specification orders the cases.
+        let level = level
+            .maximum(simd.constant(texture.least_lod))
+            .minimum(simd.constant(texture.largest_lod));
+        match texture.between {
+            Some(between) => {
+                let filters = LevelFilters { magnify, minify, between };
+                Detail::new(level, filters, (levels.len() - 1) as u32, lanes)
+            }
+            None => {
+                let magnified = level.less_or_equal(simd.zero()).bits() & lanes;
+                Detail::of_base(simd, [magnify, minify], magnified)
+            }
         }
     };
     detail.value(simd, &source, lanes)

@@ -74,15 +74,20 @@ impl<N: Lanes> Detail<N> {
         source: &impl LevelSource<N, C>,
         lanes: u32,
     ) -> [N; C] {
-        let near: [N; C] = self.first.value(simd, source, lanes);
         let two = self.two & lanes;
-        if two == 0 {
-            return near;
+        let mut values = [[simd.zero(); C]; 2];
+        // A loop, since two copies of what samples would be most of the code.
+        for (value, (levels, lanes)) in
+            values.iter_mut().zip([(&self.first, lanes), (&self.second, two)])
+        {
+            *value = levels.value(simd, source, lanes);
         }
-        let far = self.second.value(simd, source, two);
-        let mixed = mix(near, far, self.fraction);
+        let [mut value, far] = values;
+        if two == 0 {
+            return value;
+        }
+        let mixed = mix(value, far, self.fraction);
         let mask = simd.mask_of(two);
-        let mut value = near;
         for (value, mixed) in value.iter_mut().zip(mixed) {
             *value = mixed.select(mask, *value);
         }

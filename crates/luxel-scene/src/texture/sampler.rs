@@ -106,33 +106,30 @@ impl Texture {
         let shorter = squared_y.select(x_is_longer, squared_x);
         let one = u.one();
         let is_magnified = longer.less_or_equal(one);
-        let Some(between) = self.sampler.mipmap else {
-            let filters = [self.sampler.magnify, self.sampler.minify];
-            let detail = Detail::of_base(u, filters, is_magnified.bits() & lanes);
-            return detail.value(u, &At { texture: self, u, v }, lanes);
-        };
-
-        let stretch = (longer / shorter.maximum(one)).sqrt() - u.constant(STRETCH_TOLERATED);
-        let has_one = if self.sampler.minify == Filter::Nearest {
-            is_magnified.splat_like(true)
+        let Sampler { magnify, minify, mipmap, .. } = self.sampler;
+        let (detail, probes, has_one);
+        if let Some(between) = mipmap {
+            let stretch = (longer / shorter.maximum(one)).sqrt() - u.constant(STRETCH_TOLERATED);
+            has_one = if minify == Filter::Nearest {
+                is_magnified.splat_like(true)
+            } else {
+                is_magnified | stretch.less_or_equal(one)
+            };
+            probes = one.select(has_one, ceil(stretch.minimum(u.constant(MOST_PROBES))));
+            let level = u.constant(0.5) * log2(longer / (probes * probes));
+            let level = u.constant(-1.0).select(is_magnified, level);
+            let filters = LevelFilters { magnify, minify, between };
+            let last = (self.image.levels.len() - 1) as u32;
+            detail = Detail::new(level, filters, last, lanes);
         } else {
-            is_magnified | stretch.less_or_equal(one)
-        };
-        let most = ceil(stretch.minimum(u.constant(MOST_PROBES)));
-        let probes = one.select(has_one, most);
-        let level = u.constant(0.5) * log2(longer / (probes * probes));
-        let level = u.constant(-1.0).select(is_magnified, level);
-        let Sampler { magnify, minify, .. } = self.sampler;
-        let filters = LevelFilters { magnify, minify, between };
-        let last = (self.image.levels.len() - 1) as u32;
-        let detail = Detail::new(level, filters, last, lanes);
-        if has_one.bits() & lanes == lanes {
-            return detail.value(u, &At { texture: self, u, v }, lanes);
+            detail = Detail::of_base(u, [magnify, minify], is_magnified.bits() & lanes);
+            (probes, has_one) = (one, is_magnified.splat_like(true));
         }
         let du = per_pixel_x[0].select(x_is_longer, per_pixel_y[0]);
         let dv = per_pixel_x[1].select(x_is_longer, per_pixel_y[1]);
         let mut sum = [u.zero(); C];
         let mut probe = 1.0;
+        // One probe goes this way, too: a second copy of what samples would be most of the code.
         loop {
             let here = u.constant(probe);
             let reached = here.less_or_equal(probes);
