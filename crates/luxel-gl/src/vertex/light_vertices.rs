@@ -68,21 +68,39 @@ impl VertexLighting {
         let normal = if side == 0 { place.normal } else { -place.normal };
         let point = surface_point(place.eye, normal, self.setup.local_viewer);
         let of = |vertex: usize| self.surface(vertices, materials, side, vertex);
-        if !materials.vary() && (self.color_material.is_none() || !vertices.color.varies()) {
-            let surface = of(at(0));
-            let material = material(&surface);
-            let reflectance = Reflectance::of(simd, &material);
-            let sums = self.sums(&point, reflectance, &material, place.length);
-            return LitColors { sums, alpha: simd.constant(surface.diffuse[3]) };
+        let first = of(at(0));
+        let mut material = material(&first);
+        let mut reflectance = Reflectance::of(simd, &material);
+        let mut alpha = simd.constant(first.diffuse[3]);
+        let mut exponents = [first.shininess; LANES];
+        if materials.vary() || (self.color_material.is_some() && vertices.color.varies()) {
+            let mut surfaces = [first; LANES];
+            for (lane, surface) in surfaces.iter_mut().enumerate().skip(1) {
+                *surface = of(at(lane));
+            }
+            reflectance.ambient = color_lanes(simd, &surfaces.map(|side| side.ambient));
+            reflectance.diffuse = color_lanes(simd, &surfaces.map(|side| side.diffuse));
+            reflectance.specular = color_lanes(simd, &surfaces.map(|side| side.specular));
+            reflectance.emission = color_lanes(simd, &surfaces.map(|side| side.emission));
+            alpha = simd.each_lane(|lane| surfaces[lane].diffuse[3]);
+            exponents = surfaces.map(|side| side.shininess);
         }
-        let mut surfaces = [SurfaceMaterial::default(); LANES];
-        for (lane, surface) in surfaces.iter_mut().enumerate() {
-            *surface = of(at(lane));
+        // Vertices of one exponent are lit together: nearly always all of them.
+        let mut left = simd.all_lanes();
+        let mut sums = SeparateSums::new(simd);
+        while left != 0 {
+            material.shininess = exponents[left.trailing_zeros() as usize & (LANES - 1)];
+            let mut together = left;
+            for (lane, exponent) in exponents.iter().enumerate() {
+                together &= !(u32::from(*exponent != material.shininess) << lane);
+            }
+            left &= !together;
+            let lit = self.sums(&point, reflectance, &material, place.length);
+            let mask = simd.mask_of(together);
+            sums.primary = lit.primary.select(mask, sums.primary);
+            sums.specular = lit.specular.select(mask, sums.specular);
         }
-        LitColors {
-            sums: self.lit_apart(&point, &surfaces, place.length),
-            alpha: simd.each_lane(|lane| surfaces[lane].diffuse[3]),
-        }
+        LitColors { sums, alpha }
     }
 
     /// A vertex's material on a side: what was set, and what its colour drives.
@@ -99,39 +117,6 @@ impl VertexLighting {
             color_material.apply(vertices.color.of(vertex), &mut sides);
         }
         sides[side]
-    }
-
-    /// The light of vertices with materials of their own. Those of one exponent are lit together: nearly always all of
-    /// them.
-    #[inline(always)]
-    fn lit_apart<N: Lanes>(
-        &self,
-        point: &SurfacePoint<N>,
-        surfaces: &[SurfaceMaterial; LANES],
-        length: Option<N>,
-    ) -> SeparateSums<N> {
-        let simd = point.depth;
-        let mut reflectance = Reflectance::of(simd, &material(&surfaces[0]));
-        reflectance.ambient = color_lanes(simd, &surfaces.map(|side| side.ambient));
-        reflectance.diffuse = color_lanes(simd, &surfaces.map(|side| side.diffuse));
-        reflectance.specular = color_lanes(simd, &surfaces.map(|side| side.specular));
-        reflectance.emission = color_lanes(simd, &surfaces.map(|side| side.emission));
-        let mut left = simd.all_lanes();
-        let mut sums = SeparateSums::new(simd);
-        while left != 0 {
-            let leader = left.trailing_zeros() as usize & (LANES - 1);
-            let mut together = left;
-            for (lane, other) in surfaces.iter().enumerate() {
-                let differs = other.shininess != surfaces[leader].shininess;
-                together &= !(u32::from(differs) << lane);
-            }
-            left &= !together;
-            let lit = self.sums(point, reflectance, &material(&surfaces[leader]), length);
-            let mask = simd.mask_of(together);
-            sums.primary = lit.primary.select(mask, sums.primary);
-            sums.specular = lit.specular.select(mask, sums.specular);
-        }
-        sums
     }
 
     /// The light of vertices that reflect alike but for their colours.
