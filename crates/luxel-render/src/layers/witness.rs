@@ -141,9 +141,7 @@ impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
     }
 }
 
-impl<N: Lanes> SurfaceWitness<N> for LayerWitness<'_, N> {
-    const HEARS_SURFACES: bool = false;
-}
+impl<N: Lanes> SurfaceWitness<N> for LayerWitness<'_, N> {}
 
 impl<N: Lanes> BlockWitness<N> for LayerWitness<'_, N> {
     #[inline(always)]

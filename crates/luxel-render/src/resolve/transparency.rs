@@ -134,9 +134,26 @@ impl Layered {
         sum[3] = sum[3] + (through.one() - through) * share;
     }
 
-    /// Lights what the chosen samples of a block see, and puts it behind what they gathered.
-    #[inline(always)]
+    /// Lights what the chosen samples of a block see, and puts it behind what they gathered. Outlined: one copy
+    /// per instruction set.
+    #[inline(never)]
     fn gather<S: Simd>(
+        &mut self,
+        simd: S,
+        scene: &ShadingContext<'_>,
+        tile: &Tile,
+        block: usize,
+        cache: &mut ThreadCache,
+        chosen: &[u16; MAX_SAMPLES],
+    ) -> bool {
+        simd.vectorize(
+            #[inline(always)]
+            || self.gathered(simd, scene, tile, block, cache, chosen),
+        )
+    }
+
+    #[inline(always)]
+    fn gathered<S: Simd>(
         &mut self,
         simd: S,
         scene: &ShadingContext<'_>,

@@ -65,13 +65,14 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
             if seen == 0 {
                 return background(simd, scene);
             }
+            // Witnesses hear all attributes.
             if !N::IS_SPECIALIZED
                 || W::HEARS_SURFACES
                 || scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong
                 || !is_plain(simd, scene, batch, &mut cache.setup, seen)
             {
                 shade_everything(simd, scene, batch, cache, witness, seen)
-            } else if W::HEARS_FRAGMENTS || !scene.needs_normals_alone || scene.shadows.is_some() {
+            } else if !scene.needs_normals_alone || scene.shadows.is_some() {
                 let mut colors = [[simd; 4]; BATCHES];
                 shade_places(simd, scene, &[(batch, seen)], cache, witness, &mut colors);
                 colors[0]
@@ -290,9 +291,7 @@ fn see<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     let (simd, mut materials) = (found.weights[0].zero(), [0; LANES]);
     let wanted = Wanted {
         position: NEEDS != needs::NORMALS && scene.needs_positions,
-        normal: NEEDS == needs::NORMALS
-            || scene.shading.mode == ShadingMode::Phong
-            || W::HEARS_FRAGMENTS,
+        normal: NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong,
         light: NEEDS != needs::NORMALS && scene.shading.mode == ShadingMode::Gouraud,
     };
     setup.begin_tile(batch.tile);

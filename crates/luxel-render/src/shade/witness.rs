@@ -8,9 +8,6 @@ use luxel_math::LANES;
 
 /// Hears what sixteen samples see.
 pub(crate) trait BlockWitness<N>: SurfaceWitness<N> {
-    /// Whether it hears fragments: then all their attributes are interpolated.
-    const HEARS_FRAGMENTS: bool = true;
-
     /// What is seen in the lanes whose bit is set, and the number of its material.
     #[inline(always)]
     fn fragments(
@@ -31,6 +28,4 @@ pub(crate) trait BlockWitness<N>: SurfaceWitness<N> {
     }
 }
 
-impl<N> BlockWitness<N> for Silent {
-    const HEARS_FRAGMENTS: bool = false;
-}
+impl<N> BlockWitness<N> for Silent {}
