@@ -138,19 +138,20 @@ impl Target<'_> {
         let paint = Paint::new(corners, area, self.texture);
         for y in top..bottom {
             let down = y - top;
-            let mut values = [0, 1, 2].map(|at| edges[at].start + edges[at].down * down);
-            let row = y as usize * self.width;
-            for x in left..right {
-                if (0..3).all(|at| values[at] >= edges[at].bias) {
-                    let color = paint.at(values);
-                    if let Some(pixel) = self.pixels.get_mut(row + x as usize) {
-                        *pixel = blend(color, *pixel);
-                    }
-                }
-                for at in 0..3 {
-                    values[at] += edges[at].right;
-                }
+            let (mut first, mut end) = (0, right - left);
+            for edge in &edges {
+                (first, end) = edge.inside(down, first, end);
             }
+            if first >= end {
+                continue;
+            }
+            let start = y as usize * self.width + (left + first) as usize;
+            let Some(row) = self.pixels.get_mut(start..start + (end - first) as usize) else {
+                continue;
+            };
+            let values = edges.map(|edge| edge.start + edge.down * down + edge.right * first);
+            let steps = edges.map(|edge| edge.right);
+            paint.row(row, values, steps);
         }
     }
 }
@@ -163,6 +164,19 @@ struct Edge {
     down: i64,
     /// The least value inside.
     bias: i64,
+}
+
+impl Edge {
+    /// The part of a run of pixels, so many rows down, that is inside: from `first` up to `end`.
+    fn inside(&self, down: i64, first: i64, end: i64) -> (i64, i64) {
+        let value = self.start + self.down * down - self.bias;
+        match self.right {
+            0 if value < 0 => (first, first),
+            0 => (first, end),
+            right if right > 0 => (first.max(-value.div_euclid(right)), end),
+            right => (first, end.min(value.div_euclid(-right) + 1)),
+        }
+    }
 }
 
 /// The colour of a triangle: flat, or interpolated.
@@ -181,32 +195,44 @@ impl<'a> Paint<'a> {
         Self::Interpolated { corners, by_area: 1.0 / area as f32, texture }
     }
 
-    fn at(&self, values: [i64; 3]) -> Color32 {
+    /// Blends a run of pixels; the edge functions have `values` at the first, and change by `steps` from each to the
+    /// next.
+    fn row(&self, pixels: &mut [u32], mut values: [i64; 3], steps: [i64; 3]) {
         match self {
-            Self::Flat(color) => *color,
+            Self::Flat(color) if color.is_opaque() => pixels.fill(blend(*color, 0)),
+            Self::Flat(color) => {
+                for pixel in pixels {
+                    *pixel = blend(*color, *pixel);
+                }
+            }
             Self::Interpolated { corners, by_area, texture } => {
-                let weights = values.map(|value| value as f32 * by_area);
-                let mix = |of: fn(&Vertex) -> f32| {
-                    (0..3).map(|at| of(corners[at]) * weights[at]).sum::<f32>()
-                };
-                let channel = |at: usize| {
-                    let sum: f32 = (0..3)
-                        .map(|corner| {
-                            f32::from(corners[corner].color.to_array()[at]) * weights[corner]
-                        })
-                        .sum();
-                    (sum + 0.5) as u8
-                };
-                let color = Color32::from_rgba_premultiplied(
-                    channel(0),
-                    channel(1),
-                    channel(2),
-                    channel(3),
-                );
-                multiply(color, texture.at([mix(|vertex| vertex.uv.x), mix(|vertex| vertex.uv.y)]))
+                for pixel in pixels {
+                    let [a, b, c] = values;
+                    let weights = [a as f32 * by_area, b as f32 * by_area, c as f32 * by_area];
+                    *pixel = blend(interpolated(corners, weights, texture), *pixel);
+                    values = [a + steps[0], b + steps[1], c + steps[2]];
+                }
             }
         }
     }
+}
+
+/// The colour at barycentric coordinates.
+fn interpolated([a, b, c]: &[&Vertex; 3], weights: [f32; 3], texture: &Texture) -> Color32 {
+    let mix = |[a, b, c]: [f32; 3]| a * weights[0] + b * weights[1] + c * weights[2];
+    let channel = |[a, b, c]: [u8; 3]| {
+        let sum = mix([f32::from(a), f32::from(b), f32::from(c)]);
+        (sum + 0.5) as u8
+    };
+    let [of_a, of_b, of_c] = [a.color.to_array(), b.color.to_array(), c.color.to_array()];
+    let color = Color32::from_rgba_premultiplied(
+        channel([of_a[0], of_b[0], of_c[0]]),
+        channel([of_a[1], of_b[1], of_c[1]]),
+        channel([of_a[2], of_b[2], of_c[2]]),
+        channel([of_a[3], of_b[3], of_c[3]]),
+    );
+    let uv = [mix([a.uv.x, b.uv.x, c.uv.x]), mix([a.uv.y, b.uv.y, c.uv.y])];
+    multiply(color, texture.at(uv))
 }
 
 impl Texture {
@@ -224,19 +250,17 @@ fn multiply(a: Color32, b: Color32) -> Color32 {
     if b == Color32::WHITE {
         return a;
     }
-    let [a, b] = [a, b].map(|color| color.to_array().map(u32::from));
-    let channel = |at: usize| ((a[at] * b[at] + 127) / 255) as u8;
+    let (a, b) = (a.to_array(), b.to_array());
+    let channel = |at: usize| ((u32::from(a[at]) * u32::from(b[at]) + 127) / 255) as u8;
     Color32::from_rgba_premultiplied(channel(0), channel(1), channel(2), channel(3))
 }
 
 fn blend(color: Color32, below: u32) -> u32 {
-    let [r, g, b, alpha] = color.to_array().map(u32::from);
-    if alpha == 255 {
-        return r << 16 | g << 8 | b;
-    }
-    let through = 255 - alpha;
-    let channel = |color: u32, shift: u32| {
-        (color + ((below >> shift & 255) * through + 127) / 255).min(255) << shift
+    let [r, g, b, alpha] = color.to_array();
+    let through = 255 - u32::from(alpha);
+    let channel = |color: u8, shift: u32| {
+        let sum = u32::from(color) + ((below >> shift & 255) * through + 127) / 255;
+        sum.min(255) << shift
     };
     channel(r, 16) | channel(g, 8) | channel(b, 0)
 }
