@@ -110,7 +110,7 @@ fn exposed_pictures_have_the_same_bytes_however_they_are_run() {
 
 #[test]
 fn shadows_have_the_same_bytes_however_they_are_run() {
-    let size = Size { width: 150, height: 100 };
+    let size = Size { width: 110, height: 70 };
     let demo = |name: &str| (name.to_owned(), demos::demo(name).unwrap());
     for (name, scene) in [demo("cornell"), demo("welcome"), ("glass".to_owned(), glass())] {
         let view = perspective(&scene, size).with_lights(many_lights(&scene));
