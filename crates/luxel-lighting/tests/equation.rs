@@ -368,10 +368,33 @@ fn any_material() -> impl Strategy<Value = Material> {
 
 /// The required accuracy of every term: 2e-4 relative, or 2e-5 absolute.
 fn close(value: [f32; 3], exact: naive::V) -> bool {
-    wide(value).into_iter().zip(exact).all(|(value, exact)| {
+    close_within(value, exact, [0.0; 3])
+}
+
+/// [`close`], or off by no more than `slack`.
+fn close_within(value: [f32; 3], exact: naive::V, slack: naive::V) -> bool {
+    wide(value).into_iter().zip(exact).zip(slack).all(|((value, exact), slack)| {
         let error = (value - exact).abs();
-        error <= 2e-4 * exact.abs() || error <= 2e-5
+        error <= 2e-4 * exact.abs() + slack || error <= 2e-5
     })
+}
+
+/// What a value changes by where the normal is a rounding step longer along each axis: no f32 knows the cosine of a
+/// narrow highlight better.
+fn by_rounding(
+    point: &SurfacePoint<f32>,
+    equation: impl Fn(&SurfacePoint<f32>) -> naive::V,
+) -> naive::V {
+    let exact = equation(point);
+    let mut change = [0.0; 3];
+    for axis in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+        let normal = point.normal + vec3(axis) * f32::EPSILON;
+        let moved = equation(&SurfacePoint { normal, ..*point });
+        for channel in 0..3 {
+            change[channel] += (moved[channel] - exact[channel]).abs();
+        }
+    }
+    change
 }
 
 proptest! {
@@ -410,19 +433,22 @@ proptest! {
         }
         prop_assert!(close(ledger.emission, exact.emission));
         prop_assert!(close(ledger.scene_ambient, exact.scene_ambient));
-        for (light, other) in ledger.lights.iter().zip(&exact.lights) {
+        let equation = |point: &_| naive::equation(point, &reflectance, &material, &around);
+        for (number, (light, other)) in ledger.lights.iter().zip(&exact.lights).enumerate() {
             let terms = &light.terms;
             prop_assert!(close([terms.attenuation; 3], [other.attenuation; 3]));
             prop_assert!(close([terms.spot; 3], [other.spot; 3]));
             prop_assert!(close([terms.n_dot_l; 3], [other.n_dot_l; 3]));
             prop_assert!(close(terms.ambient.lane(0), other.ambient));
             prop_assert!(close(terms.diffuse.lane(0), other.diffuse));
+            let slack = by_rounding(&point, |point| equation(point).lights[number].specular);
             prop_assert!(
-                close(terms.specular.lane(0), other.specular),
+                close_within(terms.specular.lane(0), other.specular, slack),
                 "{:?} {:?}", terms, other.specular
             );
         }
-        prop_assert!(close(color.lane(0), exact.color));
+        let slack = by_rounding(&point, |point| equation(point).color);
+        prop_assert!(close_within(color.lane(0), exact.color, slack));
     }
 }
 
