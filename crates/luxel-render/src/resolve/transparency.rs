@@ -148,48 +148,38 @@ impl Layered {
     ) -> bool {
         simd.vectorize(
             #[inline(always)]
-            || self.gathered(simd, scene, tile, block, cache, chosen),
-        )
-    }
-
-    #[inline(always)]
-    fn gathered<S: Simd>(
-        &mut self,
-        simd: S,
-        scene: &ShadingContext<'_>,
-        tile: &Tile,
-        block: usize,
-        cache: &mut ThreadCache,
-        chosen: &[u16; MAX_SAMPLES],
-    ) -> bool {
-        let distinct = DistinctTriangles::of(simd, tile, block);
-        let Self { samples, light, through, compaction, .. } = self;
-        compaction.add(simd, scene, tile, block, &distinct, cache);
-        let mut seen_through = false;
-        let put = |_: usize, lit: &[Lit], _: &mut ThreadCache| {
-            for Lit { sample: first, lanes, is_alone, color, .. } in lit {
-                let ids = &tile.planes()[*first].ids[block];
-                for (sample, plane) in tile.planes().iter().enumerate() {
-                    if *is_alone && sample != *first {
-                        continue;
-                    }
-                    let at = block * *samples + sample;
-                    let alike = |lane: usize| plane.ids[block][lane] == ids[lane];
-                    let here = lanes & u32::from(chosen[sample]);
-                    for lane in lanes_of(here).filter(|&lane| alike(lane)) {
-                        let own = [color[0][lane], color[1][lane], color[2][lane]];
-                        let mut sum = [0, 1, 2].map(|channel| light[at * 3 + channel][lane]);
-                        let through = &mut through[at][lane];
-                        put_behind(&mut sum, through, own, color[3][lane]);
-                        seen_through |= *through > OPAQUE_ENOUGH;
-                        for (channel, sum) in sum.into_iter().enumerate() {
-                            light[at * 3 + channel][lane] = sum;
+            || {
+                let distinct = DistinctTriangles::of(simd, tile, block);
+                let Self { samples, light, through, compaction, .. } = self;
+                compaction.add(simd, scene, tile, block, &distinct, cache);
+                let mut seen_through = false;
+                let put = |_: usize, lit: &[Lit], _: &mut ThreadCache| {
+                    for Lit { sample: first, lanes, is_alone, color, .. } in lit {
+                        let ids = &tile.planes()[*first].ids[block];
+                        for (sample, plane) in tile.planes().iter().enumerate() {
+                            if *is_alone && sample != *first {
+                                continue;
+                            }
+                            let at = block * *samples + sample;
+                            let alike = |lane: usize| plane.ids[block][lane] == ids[lane];
+                            let here = lanes & u32::from(chosen[sample]);
+                            for lane in lanes_of(here).filter(|&lane| alike(lane)) {
+                                let own = [color[0][lane], color[1][lane], color[2][lane]];
+                                let mut sum =
+                                    [0, 1, 2].map(|channel| light[at * 3 + channel][lane]);
+                                let through = &mut through[at][lane];
+                                put_behind(&mut sum, through, own, color[3][lane]);
+                                seen_through |= *through > OPAQUE_ENOUGH;
+                                for (channel, sum) in sum.into_iter().enumerate() {
+                                    light[at * 3 + channel][lane] = sum;
+                                }
+                            }
                         }
                     }
-                }
-            }
-        };
-        compaction.finish(simd, scene, cache, put);
-        seen_through
+                };
+                compaction.finish(simd, scene, cache, put);
+                seen_through
+            },
+        )
     }
 }
