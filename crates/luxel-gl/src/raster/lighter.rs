@@ -37,9 +37,9 @@ impl<'a> Lighter<'a> {
         Self { items, list, prepared }
     }
 
-    /// What shades entries, by their places.
-    pub(super) fn prepared(&self) -> &[Prepared] {
-        &self.prepared.all
+    /// What shades the entry at a place.
+    pub(super) fn at(&self, place: usize) -> &Prepared {
+        &self.prepared.all[place]
     }
 
     /// Rows for textures, of all that is prepared.
@@ -142,17 +142,22 @@ pub(super) fn light_seen<S: Simd>(
                 let mut place_of = [0; LANES];
                 places.store_slice(&mut place_of);
                 left &= !together;
+                let prepared = &lighter.prepared.all;
                 let shading = Shading {
-                    prepared: lighter.prepared(),
-                    places: &place_of,
-                    alike,
                     textures: first.pipeline.textures.as_ref(),
                     rows: lighter.rows(),
                     fog: first.pipeline.fog.as_ref(),
                     primary: None,
                     lanes: together,
                 };
-                let colors = shade(simd, first_pixel, &shading);
+                let colors = shade(
+                    simd,
+                    first_pixel,
+                    #[inline(always)]
+                    |lane| &prepared[place_of[lane & (LANES - 1)] as usize],
+                    alike,
+                    shading,
+                );
                 let stored = u32x16::from_slice(simd, &color[block]);
                 let mask = mask32x16::from_bitmask(simd, u64::from(together));
                 mask.select(encode(colors), stored).store_slice(&mut color[block]);

@@ -235,10 +235,8 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             lanes = u32::from(u16::MAX);
         }
         let place = self.lighter.prepare(self.tests.number);
+        let prepared = self.lighter.at(place);
         let shading = Shading {
-            prepared: self.lighter.prepared(),
-            places: &[place as u32; LANES],
-            alike: true,
             textures: self.tests.pipeline.textures.as_ref(),
             rows: self.lighter.rows(),
             fog: self.tests.pipeline.fog.as_ref(),
@@ -247,7 +245,14 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         };
         let [x, y] = block_origin(block);
         let origin = [self.origin[0] + x, self.origin[1] + y];
-        let colors = shade(simd, origin, &shading);
+        let colors = shade(
+            simd,
+            origin,
+            #[inline(always)]
+            |_| prepared,
+            true,
+            shading,
+        );
         if let Some(place) = self.shaded.place(self.tests.number, block) {
             for (place, color) in place.iter_mut().zip(colors) {
                 color.store_slice(place);

@@ -25,14 +25,9 @@ const fn centres(across: bool) -> [f32; LANES] {
 /// Red, green, blue, alpha in sixteen lanes.
 pub(super) type Colors<S> = [f32x16<S>; 4];
 
-/// The primitives of a block's lanes, and what fragments of one draw go through after interpolation.
+/// What fragments of one draw go through after interpolation.
 #[derive(Clone, Copy)]
 pub(super) struct Shading<'p> {
-    pub(super) prepared: &'p [Prepared],
-    /// Which of them each lane's primitive is.
-    pub(super) places: &'p [u32; LANES],
-    /// Whether all lanes have the first one's.
-    pub(super) alike: bool,
     pub(super) textures: Option<&'p TextureStages>,
     /// Of all primitives.
     pub(super) rows: &'p [PackedForms],
@@ -43,37 +38,26 @@ pub(super) struct Shading<'p> {
     pub(super) lanes: u32,
 }
 
-impl<'p> Shading<'p> {
-    /// A lane's primitive.
-    #[inline(always)]
-    fn of(&self, lane: usize) -> &'p Prepared {
-        &self.prepared[self.places[lane & (LANES - 1)] as usize]
-    }
-}
-
-/// Colours at the centres of a block's pixels, whose first is at `origin` in the window. Outlined: one copy per
-/// instruction set.
-#[inline(never)]
-pub(super) fn shade<S: Simd>(simd: S, origin: [i32; 2], shading: &Shading<'_>) -> Colors<S> {
-    simd.vectorize(
-        #[inline(always)]
-        || shaded(simd, origin, shading),
-    )
-}
-
+/// Colours at the centres of a block's pixels, whose first is at `origin` in the window. `of(lane)` is the lane's
+/// primitive; with `alike`, all have the first one's.
 #[inline(always)]
-fn shaded<S: Simd>(simd: S, origin: [i32; 2], shading: &Shading<'_>) -> Colors<S> {
+pub(super) fn shade<'p, S: Simd>(
+    simd: S,
+    origin: [i32; 2],
+    of: impl Fn(usize) -> &'p Prepared,
+    alike: bool,
+    shading: Shading<'_>,
+) -> Colors<S> {
     let lanes = f32x16::splat(simd, 0.0);
     let x = (f32x16::simd_from(simd, CENTRE_X) + origin[0] as f32).to_f64();
     let y = (f32x16::simd_from(simd, CENTRE_Y) + origin[1] as f32).to_f64();
-    let Shading { textures, fog, alike, .. } = *shading;
-    let is_even =
-        shading.of(0).is_even && (alike || (1..LANES).all(|lane| shading.of(lane).is_even));
+    let Shading { textures, fog, .. } = shading;
+    let is_even = of(0).is_even && (alike || (1..LANES).all(|lane| of(lane).is_even));
     let [mut colors @ .., distance] = if is_even {
         // What interpolation gives, to the bit.
-        at_corner(lanes, shading)
+        at_corner(lanes, &of, alike, fog.is_some())
     } else {
-        interpolated([x, y], shading)
+        interpolated([x, y], &of, alike, fog.is_some())
     };
     for color in &mut colors {
         *color = color.clamped(0.0, 1.0);
@@ -84,8 +68,9 @@ fn shaded<S: Simd>(simd: S, origin: [i32; 2], shading: &Shading<'_>) -> Colors<S
         }
     }
     if let Some(textures) = textures {
-        let lookup = TextureLookup { shading, position: [x, y] };
-        colors = textured(colors, &lookup, textures);
+        let rows = shading.rows;
+        let lookup = TextureLookup { of: &of, alike, position: [x, y], rows };
+        colors = textured(colors, &lookup, textures, shading.lanes);
     }
     if let Some(fog) = fog {
         let [r, g, b, a] = colors;
@@ -100,10 +85,15 @@ fn shaded<S: Simd>(simd: S, origin: [i32; 2], shading: &Shading<'_>) -> Colors<S
 
 /// Red, green, blue, alpha and the fog coordinate, if there is one, at the first corner.
 #[inline(always)]
-fn at_corner<S: Simd>(lanes: f32x16<S>, shading: &Shading<'_>) -> [f32x16<S>; 5] {
+fn at_corner<'p, S: Simd>(
+    lanes: f32x16<S>,
+    of: &impl Fn(usize) -> &'p Prepared,
+    alike: bool,
+    has_fog: bool,
+) -> [f32x16<S>; 5] {
     let mut values = [lanes; 5];
-    if shading.alike {
-        let [colors, more] = &shading.of(0).attributes;
+    if alike {
+        let [colors, more] = &of(0).attributes;
         for (value, color) in values.iter_mut().zip(&colors[..4]) {
             *value = lanes.constant(*color);
         }
@@ -112,13 +102,13 @@ fn at_corner<S: Simd>(lanes: f32x16<S>, shading: &Shading<'_>) -> [f32x16<S>; 5]
     }
     let colors = lanes.load_transposed(
         #[inline(always)]
-        |lane| &shading.of(lane).attributes[0],
+        |lane| &of(lane).attributes[0],
     );
     values[..4].copy_from_slice(&colors[..4]);
-    if shading.fog.is_some() {
+    if has_fog {
         let more = lanes.load_transposed(
             #[inline(always)]
-            |lane| &shading.of(lane).attributes[1],
+            |lane| &of(lane).attributes[1],
         );
         values[4] = more[4];
     }
@@ -127,10 +117,15 @@ fn at_corner<S: Simd>(lanes: f32x16<S>, shading: &Shading<'_>) -> [f32x16<S>; 5]
 
 /// Red, green, blue, alpha and the fog coordinate, if there is one, at places of the window.
 #[inline(always)]
-fn interpolated<S: Simd>([x, y]: [F64x16<S>; 2], shading: &Shading<'_>) -> [f32x16<S>; 5] {
+fn interpolated<'p, S: Simd>(
+    [x, y]: [F64x16<S>; 2],
+    of: &impl Fn(usize) -> &'p Prepared,
+    alike: bool,
+    has_fog: bool,
+) -> [f32x16<S>; 5] {
     let lanes = x.to_f32();
-    let (forms, [first, second]) = if shading.alike {
-        let prepared = shading.of(0);
+    let (forms, [first, second]) = if alike {
+        let prepared = of(0);
         let [first, second] = &prepared.attributes;
         (
             LinearForms::everywhere(x, &prepared.forms),
@@ -141,16 +136,16 @@ fn interpolated<S: Simd>([x, y]: [F64x16<S>; 2], shading: &Shading<'_>) -> [f32x
             LinearForms::unpacked(
                 x,
                 #[inline(always)]
-                |lane| &shading.of(lane).forms,
+                |lane| &of(lane).forms,
             ),
             [
                 lanes.load_transposed(
                     #[inline(always)]
-                    |lane| &shading.of(lane).attributes[0],
+                    |lane| &of(lane).attributes[0],
                 ),
                 lanes.load_transposed(
                     #[inline(always)]
-                    |lane| &shading.of(lane).attributes[1],
+                    |lane| &of(lane).attributes[1],
                 ),
             ],
         )
@@ -160,7 +155,7 @@ fn interpolated<S: Simd>([x, y]: [F64x16<S>; 2], shading: &Shading<'_>) -> [f32x
     for (channel, value) in values[..4].iter_mut().enumerate() {
         *value = mixed([first[channel], first[4 + channel], second[channel]], [v, t]);
     }
-    if shading.fog.is_some() {
+    if has_fog {
         values[4] = mixed([second[4], second[5], second[6]], [v, t]);
     }
     values
@@ -184,24 +179,25 @@ fn mixed<N: Lanes>([a, b, c]: [N; 3], [v, t]: [N; 2]) -> N {
 }
 
 /// Where the fragments of a block lie on their primitives.
-struct TextureLookup<'l, S: Simd> {
-    shading: &'l Shading<'l>,
+struct TextureLookup<'l, S: Simd, F> {
+    of: &'l F,
+    alike: bool,
     position: [F64x16<S>; 2],
+    rows: &'l [PackedForms],
 }
 
-impl<S: Simd> TextureLookup<'_, S> {
+impl<'p, S: Simd, F: Fn(usize) -> &'p Prepared> TextureLookup<'_, S, F> {
     /// The values of row `number` of each lane's primitive, and how they change to the right and upwards.
     #[inline(always)]
     fn values(&self, number: usize) -> ([f32x16<S>; 3], [[f32x16<S>; 3]; 2]) {
         let [x, y] = self.position;
-        let Shading { rows, alike, .. } = *self.shading;
-        let forms = if alike {
-            ProjectiveForms::everywhere(x, &rows[self.shading.of(0).rows as usize + number])
+        let forms = if self.alike {
+            ProjectiveForms::everywhere(x, &self.rows[(self.of)(0).rows as usize + number])
         } else {
             ProjectiveForms::unpacked(
                 x,
                 #[inline(always)]
-                |lane| &rows[self.shading.of(lane).rows as usize + number],
+                |lane| &self.rows[(self.of)(lane).rows as usize + number],
             )
         };
         forms.values(x, y)
@@ -211,10 +207,11 @@ impl<S: Simd> TextureLookup<'_, S> {
 /// Colours after all texture units, the secondary ones added (sections 3.8 and 3.9). Coordinates a pixel to the right
 /// and a pixel above come from the primitive's own forms, so that levels of detail are the same in any block.
 #[inline(never)]
-fn textured<S: Simd>(
+fn textured<'p, S: Simd, F: Fn(usize) -> &'p Prepared>(
     colors: Colors<S>,
-    lookup: &TextureLookup<'_, S>,
+    lookup: &TextureLookup<'_, S, F>,
     textures: &TextureStages,
+    lanes: u32,
 ) -> Colors<S> {
     colors[0].vectorized(
         #[inline(always)]
@@ -226,7 +223,7 @@ fn textured<S: Simd>(
                     let (at, per_pixel) = lookup.values(1 + stage);
                     Footprint { at, per_pixel }
                 },
-                lookup.shading.lanes,
+                lanes,
             );
             if textures.secondary {
                 let (secondary, _) = lookup.values(0);
