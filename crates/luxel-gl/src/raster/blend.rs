@@ -20,55 +20,33 @@ pub(super) fn compare<N: Lanes>(func: u32, incoming: N, stored: N) -> N::Mask {
     }
 }
 
-/// The factors of one side for red, green, blue and alpha by one name (table 4.2).
+/// A channel's factor by its name (table 4.2).
 #[inline(always)]
-fn factors_by<S: Simd>(
+fn factor<S: Simd>(
     name: u32,
+    channel: usize,
     source: &Colors<S>,
     destination: &Colors<S>,
     constant: &[f32; 4],
-) -> Colors<S> {
+) -> f32x16<S> {
     let splat = |value: f32| f32x16::splat(source[0].simd, value);
-    let one = splat(1.0);
-    let rest_of = |[r, g, b, a]: Colors<S>| [one - r, one - g, one - b, one - a];
-    let all = |value: f32x16<S>| [value; 4];
-    let [r, g, b, a] = *constant;
-    let of_constant = [splat(r), splat(g), splat(b), splat(a)];
     match name {
-        gl::ZERO => all(splat(0.0)),
-        gl::SRC_COLOR => *source,
-        gl::ONE_MINUS_SRC_COLOR => rest_of(*source),
-        gl::DST_COLOR => *destination,
-        gl::ONE_MINUS_DST_COLOR => rest_of(*destination),
-        gl::SRC_ALPHA => all(source[3]),
-        gl::ONE_MINUS_SRC_ALPHA => all(one - source[3]),
-        gl::DST_ALPHA => all(destination[3]),
-        gl::ONE_MINUS_DST_ALPHA => all(one - destination[3]),
-        gl::CONSTANT_COLOR => of_constant,
-        gl::ONE_MINUS_CONSTANT_COLOR => rest_of(of_constant),
-        gl::CONSTANT_ALPHA => all(splat(constant[3])),
-        gl::ONE_MINUS_CONSTANT_ALPHA => all(splat(1.0 - constant[3])),
-        gl::SRC_ALPHA_SATURATE => {
-            let saturated = source[3].minimum(one - destination[3]);
-            [saturated, saturated, saturated, one]
-        }
-        _ => all(one),
+        gl::ZERO => splat(0.0),
+        gl::SRC_COLOR => source[channel],
+        gl::ONE_MINUS_SRC_COLOR => splat(1.0) - source[channel],
+        gl::DST_COLOR => destination[channel],
+        gl::ONE_MINUS_DST_COLOR => splat(1.0) - destination[channel],
+        gl::SRC_ALPHA => source[3],
+        gl::ONE_MINUS_SRC_ALPHA => splat(1.0) - source[3],
+        gl::DST_ALPHA => destination[3],
+        gl::ONE_MINUS_DST_ALPHA => splat(1.0) - destination[3],
+        gl::CONSTANT_COLOR => splat(constant[channel]),
+        gl::ONE_MINUS_CONSTANT_COLOR => splat(1.0 - constant[channel]),
+        gl::CONSTANT_ALPHA => splat(constant[3]),
+        gl::ONE_MINUS_CONSTANT_ALPHA => splat(1.0 - constant[3]),
+        gl::SRC_ALPHA_SATURATE if channel < 3 => source[3].minimum(splat(1.0) - destination[3]),
+        _ => splat(1.0),
     }
-}
-
-/// The factors of one side, named for colours and for alpha.
-#[inline(always)]
-fn factors<S: Simd>(
-    [of_colors, of_alpha]: [u32; 2],
-    source: &Colors<S>,
-    destination: &Colors<S>,
-    constant: &[f32; 4],
-) -> Colors<S> {
-    let mut factors = factors_by(of_colors, source, destination, constant);
-    if of_alpha != of_colors {
-        factors[3] = factors_by(of_alpha, source, destination, constant)[3];
-    }
-    factors
 }
 
 /// Blends a source with what is there, within 0 and 1.
@@ -78,23 +56,35 @@ pub(super) fn blended<S: Simd>(
     source: &Colors<S>,
     destination: &Colors<S>,
 ) -> Colors<S> {
-    let [from, to, alpha_from, alpha_to] = blend.factors;
-    let from = factors([from, alpha_from], source, destination, &blend.constant);
-    let to = factors([to, alpha_to], source, destination, &blend.constant);
-    let mut colors = *source;
-    for (channel, color) in colors.iter_mut().enumerate() {
-        let (s, d) = (source[channel], destination[channel]);
-        let (weighted_s, weighted_d) = (s * from[channel], d * to[channel]);
-        let blended = match blend.equations[usize::from(channel == 3)] {
-            gl::MIN => s.minimum(d),
-            gl::MAX => s.maximum(d),
-            gl::FUNC_SUBTRACT => weighted_s - weighted_d,
-            gl::FUNC_REVERSE_SUBTRACT => weighted_d - weighted_s,
-            _ => weighted_s + weighted_d,
-        };
-        *color = blended.clamped(0.0, 1.0);
-    }
-    colors
+    [
+        blended_channel(blend, 0, source, destination),
+        blended_channel(blend, 1, source, destination),
+        blended_channel(blend, 2, source, destination),
+        blended_channel(blend, 3, source, destination),
+    ]
+}
+
+/// One channel of what is blended: so, without a loop, all stay in registers.
+#[inline(always)]
+fn blended_channel<S: Simd>(
+    Blend { equations, factors, constant }: &Blend,
+    channel: usize,
+    source: &Colors<S>,
+    destination: &Colors<S>,
+) -> f32x16<S> {
+    let of_alpha = usize::from(channel == 3);
+    let [from, to] = [factors[2 * of_alpha], factors[2 * of_alpha + 1]];
+    let (s, d) = (source[channel], destination[channel]);
+    let weighted_s = s * factor(from, channel, source, destination, constant);
+    let weighted_d = d * factor(to, channel, source, destination, constant);
+    let blended = match equations[of_alpha] {
+        gl::MIN => s.minimum(d),
+        gl::MAX => s.maximum(d),
+        gl::FUNC_SUBTRACT => weighted_s - weighted_d,
+        gl::FUNC_REVERSE_SUBTRACT => weighted_d - weighted_s,
+        _ => weighted_s + weighted_d,
+    };
+    blended.clamped(0.0, 1.0)
 }
 
 /// A logical operation on bytes (table 4.4).

@@ -7,7 +7,7 @@ use super::pipeline::Pipeline;
 use super::samples::covered_by_alpha;
 use super::shade::{Colors, Shading, decode, encode, shade};
 use super::shaded::ShadedBlocks;
-use super::tile::Seen;
+use super::tile::{Seen, sees_any};
 use crate::plane::TILE_BLOCKS;
 use luxel_math::{LANES, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Sink, Tile};
@@ -204,7 +204,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             Some(colors) => colors,
             None => self.colors(simd, block, passing),
         };
-        if self.seen[block].iter().any(|seen| *seen != 0) {
+        if sees_any(&self.seen[block]) {
             let (seen, color) = (&mut self.seen[block], &mut *self.planes.color);
             light_seen(simd, self.origin, block, seen, self.lighter, color);
         }

@@ -8,10 +8,10 @@ use luxel_math::{F64x16, LANES, Lanes, Rgb, Simd, f32x16, i32x16, prelude::*, u3
 use luxel_visibility::{BLOCK, LinearForms, PackedForms, ProjectiveForms};
 
 /// Columns and rows of a block's lanes, at the centres of pixels.
-const CENTRE_X: [f32; LANES] = centres(true);
-const CENTRE_Y: [f32; LANES] = centres(false);
+const CENTRE_X: [f32; LANES] = lane_centres(true);
+const CENTRE_Y: [f32; LANES] = lane_centres(false);
 
-const fn centres(across: bool) -> [f32; LANES] {
+const fn lane_centres(across: bool) -> [f32; LANES] {
     let mut places = [0.5; LANES];
     let mut lane = 0;
     while lane < LANES {
@@ -20,6 +20,14 @@ const fn centres(across: bool) -> [f32; LANES] {
         lane += 1;
     }
     places
+}
+
+/// The centres of a block's pixels in the window.
+#[inline(always)]
+fn centres<S: Simd>(simd: S, origin: [i32; 2]) -> [F64x16<S>; 2] {
+    let x = f32x16::simd_from(simd, CENTRE_X) + origin[0] as f32;
+    let y = f32x16::simd_from(simd, CENTRE_Y) + origin[1] as f32;
+    [x.to_f64(), y.to_f64()]
 }
 
 /// Red, green, blue, alpha in sixteen lanes.
@@ -49,15 +57,13 @@ pub(super) fn shade<'p, S: Simd>(
     shading: Shading<'_>,
 ) -> Colors<S> {
     let lanes = f32x16::splat(simd, 0.0);
-    let x = (f32x16::simd_from(simd, CENTRE_X) + origin[0] as f32).to_f64();
-    let y = (f32x16::simd_from(simd, CENTRE_Y) + origin[1] as f32).to_f64();
     let Shading { textures, fog, .. } = shading;
     let is_even = of(0).is_even && (alike || (1..LANES).all(|lane| of(lane).is_even));
     let [mut colors @ .., distance] = if is_even {
         // What interpolation gives, to the bit.
         at_corner(lanes, &of, alike, fog.is_some())
     } else {
-        interpolated([x, y], &of, alike, fog.is_some())
+        interpolated(centres(simd, origin), &of, alike, fog.is_some())
     };
     for color in &mut colors {
         *color = color.clamped(0.0, 1.0);
@@ -69,7 +75,7 @@ pub(super) fn shade<'p, S: Simd>(
     }
     if let Some(textures) = textures {
         let rows = shading.rows;
-        let lookup = TextureLookup { of: &of, alike, position: [x, y], rows };
+        let lookup = TextureLookup { of: &of, alike, position: centres(simd, origin), rows };
         colors = textured(colors, &lookup, textures, shading.lanes);
     }
     if let Some(fog) = fog {

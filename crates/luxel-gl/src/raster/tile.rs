@@ -193,7 +193,7 @@ fn clear_part(
 
 /// Whether any pixel of a block sees an entry.
 #[inline(always)]
-fn sees_any(seen: &[u32; LANES]) -> bool {
+pub(super) fn sees_any(seen: &[u32; LANES]) -> bool {
     seen.iter().fold(0, |any, entry| any | entry) != 0
 }
 
