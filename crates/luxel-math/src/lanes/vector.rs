@@ -7,8 +7,8 @@ use crate::simd_level::{LANES, has_wide_registers, is_specialized};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd::Level;
 use fearless_simd::{
-    ExtractToken, Simd, f32x8, f32x16, i32x8, i32x16, mask32x8, mask32x16, prelude::*, u32x8,
-    u32x16,
+    ExtractToken, Simd, f32x4, f32x8, f32x16, i32x8, i32x16, mask32x8, mask32x16, prelude::*,
+    u32x8, u32x16,
 };
 
 /// Whether the instruction set's own minimum and maximum are `a < b ? a : b` and `a > b ? a : b`, bit
@@ -22,17 +22,36 @@ fn compares_in_min_and_max<S: Simd>(simd: S) -> bool {
     }
 }
 
-/// Eight rows as eight columns: an index of three bits for the row and three for the column, whose
-/// six bits each perfect shuffle turns by one (Stone 1971).
+/// Eight rows as eight columns, by quarters of four rows and four columns: x86 shuffles lanes within 128 bits faster than
+/// across them, by as much as eight times (Zen 1).
 #[inline(always)]
-fn transposed<S: Simd>(mut lines: [f32x8<S>; 8]) -> [f32x8<S>; 8] {
-    for _ in 0..3 {
-        let before = lines;
-        for at in 0..4 {
-            (lines[2 * at], lines[2 * at + 1]) = before[at].interleave(before[at + 4]);
-        }
+fn transposed<S: Simd>(lines: [f32x8<S>; 8]) -> [f32x8<S>; 8] {
+    let simd = lines[0].simd;
+    let mut columns = lines;
+    let halves = lines.map(
+        #[inline(always)]
+        |line| simd.split_f32x8(line),
+    );
+    let [(a0, a4), (b0, b4), (c0, c4), (d0, d4), lower @ ..] = halves;
+    let [(e0, e4), (f0, f4), (g0, g4), (h0, h4)] = lower;
+    let upper_left = transposed_quarter([a0, b0, c0, d0]);
+    let lower_left = transposed_quarter([e0, f0, g0, h0]);
+    let upper_right = transposed_quarter([a4, b4, c4, d4]);
+    let lower_right = transposed_quarter([e4, f4, g4, h4]);
+    for at in 0..4 {
+        columns[at] = simd.combine_f32x4(upper_left[at], lower_left[at]);
+        columns[4 + at] = simd.combine_f32x4(upper_right[at], lower_right[at]);
     }
-    lines
+    columns
+}
+
+/// Four rows as four columns.
+#[inline(always)]
+fn transposed_quarter<S: Simd>([a, b, c, d]: [f32x4<S>; 4]) -> [f32x4<S>; 4] {
+    let ((ac_low, ac_high), (bd_low, bd_high)) = (a.interleave(c), b.interleave(d));
+    let ((first, second), (third, fourth)) =
+        (ac_low.interleave(bd_low), ac_high.interleave(bd_high));
+    [first, second, third, fourth]
 }
 
 /// Implements [`Lanes`] and [`Mask`] for one vector length.
