@@ -13,10 +13,12 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 mod f64_lanes;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod pseudo_min_max;
+mod rows;
 mod scalar;
 mod vector;
 
 pub use f64_lanes::{F64Lanes, F64x8, F64x16};
+pub use rows::{columns, wide_columns};
 
 /// One truth value, or one for each lane.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {

@@ -36,11 +36,11 @@ pub use fearless_simd::dispatch as dispatch_long;
 ))]
 pub use fearless_simd::dispatch;
 pub use fearless_simd::{
-    Level, Simd, f32x4, f32x8, f32x16, i16x32, i32x4, i32x8, i32x16, mask32x4, mask32x8, mask32x16,
-    u32x8, u32x16,
+    Level, Simd, f32x4, f32x8, f32x16, f64x4, i16x32, i32x4, i32x8, i32x16, mask32x4, mask32x8,
+    mask32x16, u32x8, u32x16,
 };
 pub use fixed::{SUBPIXELS, SubPixel};
-pub use lanes::{F64Lanes, F64x8, F64x16, Lanes, Mask, SplitLanes};
+pub use lanes::{F64Lanes, F64x8, F64x16, Lanes, Mask, SplitLanes, columns, wide_columns};
 pub use permute::permuted;
 pub use simd_level::{
     LANES, ParseSimdLevelError, SimdLevel, UnavailableSimdLevel, has_wide_registers,

@@ -18,8 +18,10 @@ use std::sync::atomic::AtomicU64;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Prepared {
     pub(crate) forms: PackedForms,
-    /// Red, green, blue, alpha of three corners; then their fog coordinates.
-    pub(crate) attributes: [[f32; 8]; 2],
+    /// Red, green, blue, alpha of three corners.
+    pub(crate) colors: [[f32; 4]; 3],
+    /// Their fog coordinates.
+    pub(crate) fog: [f32; 3],
     /// The first of its rows for textures, if the pipeline has any: secondary colours, then the coordinates of each
     /// stage.
     pub(crate) rows: u32,
@@ -214,7 +216,7 @@ impl Batch {
     ///
     /// Differences are compared as they are interpolated, so that infinities aren't even.
     fn put_colors(&self, prepared: &mut Prepared, colors: [[f32; 4]; 3], fog: [f32; 3]) -> bool {
-        prepared.color(colors, fog);
+        (prepared.colors, prepared.fog) = (colors, fog);
         let is_even = |[a, b, c]: [f32; 3]| b - a == 0.0 && c - a == 0.0;
         let has_rows = self.pipeline.textures.is_some();
         prepared.is_even = !has_rows
@@ -316,15 +318,5 @@ impl Prepared {
             }
             self.forms[2] = [w_to * (1.0 + before), -w_from * before, 0.0, 0.0];
         }
-    }
-
-    /// Takes colours and fog coordinates of three corners.
-    fn color(&mut self, colors: [[f32; 4]; 3], fog: [f32; 3]) {
-        let [first, second] = &mut self.attributes;
-        for (place, value) in first.iter_mut().zip(colors[..2].as_flattened()) {
-            *place = *value;
-        }
-        let [r, g, b, a] = colors[2];
-        *second = [r, g, b, a, fog[0], fog[1], fog[2], 0.0];
     }
 }

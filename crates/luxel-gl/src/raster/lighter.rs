@@ -142,7 +142,13 @@ pub(super) fn light_seen<S: Simd>(
                 let mut place_of = [0; LANES];
                 places.store_slice(&mut place_of);
                 left &= !together;
-                let prepared = &lighter.prepared.all;
+                let all = &lighter.prepared.all;
+                let mut prepared = [&all[first_place as usize]; LANES];
+                if !alike {
+                    for (prepared, place) in prepared.iter_mut().zip(place_of) {
+                        *prepared = &all[place as usize];
+                    }
+                }
                 let shading = Shading {
                     textures: first.pipeline.textures.as_ref(),
                     rows: lighter.rows(),
@@ -154,7 +160,7 @@ pub(super) fn light_seen<S: Simd>(
                     simd,
                     first_pixel,
                     #[inline(always)]
-                    |lane| &prepared[place_of[lane & (LANES - 1)] as usize],
+                    |lane| prepared[lane & (LANES - 1)],
                     alike,
                     shading,
                 );

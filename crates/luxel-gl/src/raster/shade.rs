@@ -4,8 +4,11 @@
 use super::batch::Prepared;
 use crate::fragment::{Footprint, TextureStages};
 use luxel_lighting::{Fog, Silent};
-use luxel_math::{F64x16, LANES, Lanes, Rgb, Simd, f32x16, i32x16, prelude::*, u32x16};
+use luxel_math::{
+    F64x16, LANES, Lanes, Rgb, Simd, columns, f32x4, f32x16, i32x16, prelude::*, u32x16,
+};
 use luxel_visibility::{BLOCK, LinearForms, PackedForms, ProjectiveForms};
+use std::ops::{Add, Mul, Sub};
 
 /// Columns and rows of a block's lanes, at the centres of pixels.
 const CENTRE_X: [f32; LANES] = lane_centres(true);
@@ -56,14 +59,13 @@ pub(super) fn shade<'p, S: Simd>(
     alike: bool,
     shading: Shading<'_>,
 ) -> Colors<S> {
-    let lanes = f32x16::splat(simd, 0.0);
     let Shading { textures, fog, .. } = shading;
     let is_even = of(0).is_even && (alike || (1..LANES).all(|lane| of(lane).is_even));
-    let [mut colors @ .., distance] = if is_even {
+    let (mut colors, distance) = if is_even {
         // What interpolation gives, to the bit.
-        at_corner(lanes, &of, alike, fog.is_some())
+        at_corner(simd, &of, alike, fog.is_some())
     } else {
-        interpolated(centres(simd, origin), &of, alike, fog.is_some())
+        interpolated(simd, origin, &of, alike, fog.is_some())
     };
     for color in &mut colors {
         *color = color.clamped(0.0, 1.0);
@@ -92,87 +94,81 @@ pub(super) fn shade<'p, S: Simd>(
 /// Red, green, blue, alpha and the fog coordinate, if there is one, at the first corner.
 #[inline(always)]
 fn at_corner<'p, S: Simd>(
-    lanes: f32x16<S>,
+    simd: S,
     of: &impl Fn(usize) -> &'p Prepared,
     alike: bool,
     has_fog: bool,
-) -> [f32x16<S>; 5] {
-    let mut values = [lanes; 5];
+) -> (Colors<S>, f32x16<S>) {
+    let lanes = f32x16::splat(simd, 0.0);
     if alike {
-        let [colors, more] = &of(0).attributes;
-        for (value, color) in values.iter_mut().zip(&colors[..4]) {
-            *value = lanes.constant(*color);
-        }
-        values[4] = lanes.constant(more[4]);
-        return values;
+        let Prepared { colors: [color, ..], fog: [fog, ..], .. } = of(0);
+        return (in_lanes(lanes, color), lanes.constant(*fog));
     }
-    let colors = lanes.load_transposed(
+    let colors = columns(
+        simd,
         #[inline(always)]
-        |lane| &of(lane).attributes[0],
+        |lane| f32x4::simd_from(simd, of(lane).colors[0]),
     );
-    values[..4].copy_from_slice(&colors[..4]);
-    if has_fog {
-        let more = lanes.load_transposed(
-            #[inline(always)]
-            |lane| &of(lane).attributes[1],
-        );
-        values[4] = more[4];
-    }
-    values
+    (colors, if has_fog { lanes.each_lane(|lane| of(lane).fog[0]) } else { lanes })
 }
 
-/// Red, green, blue, alpha and the fog coordinate, if there is one, at places of the window.
+/// Red, green, blue, alpha and the fog coordinate, if there is one, at the centres of a block's pixels.
 #[inline(always)]
 fn interpolated<'p, S: Simd>(
-    [x, y]: [F64x16<S>; 2],
+    simd: S,
+    origin: [i32; 2],
     of: &impl Fn(usize) -> &'p Prepared,
     alike: bool,
     has_fog: bool,
-) -> [f32x16<S>; 5] {
-    let lanes = x.to_f32();
-    let (forms, [first, second]) = if alike {
-        let prepared = of(0);
-        let [first, second] = &prepared.attributes;
-        (
-            LinearForms::everywhere(x, &prepared.forms),
-            [in_lanes(lanes, first), in_lanes(lanes, second)],
-        )
-    } else {
-        (
-            LinearForms::unpacked(
-                x,
-                #[inline(always)]
-                |lane| &of(lane).forms,
-            ),
-            [
-                lanes.load_transposed(
-                    #[inline(always)]
-                    |lane| &of(lane).attributes[0],
-                ),
-                lanes.load_transposed(
-                    #[inline(always)]
-                    |lane| &of(lane).attributes[1],
-                ),
-            ],
-        )
-    };
-    let [_, v, t] = forms.clamped_barycentrics(x, y);
-    let mut values = [lanes; 5];
-    for (channel, value) in values[..4].iter_mut().enumerate() {
-        *value = mixed([first[channel], first[4 + channel], second[channel]], [v, t]);
+) -> (Colors<S>, f32x16<S>) {
+    let lanes = f32x16::splat(simd, 0.0);
+    if alike {
+        let [x, y] = centres(simd, origin);
+        let Prepared { forms, colors: [a, b, c], fog, .. } = of(0);
+        let [_, v, t] = LinearForms::everywhere(x, forms).clamped_barycentrics(x, y);
+        let [a, b, c] = [in_lanes(lanes, a), in_lanes(lanes, b), in_lanes(lanes, c)];
+        let mut colors = a;
+        for (channel, color) in colors.iter_mut().enumerate() {
+            *color = mixed([a[channel], b[channel], c[channel]], [v, t]);
+        }
+        return (colors, if has_fog { mixed(in_lanes(lanes, fog), [v, t]) } else { lanes });
     }
-    if has_fog {
-        values[4] = mixed([second[4], second[5], second[6]], [v, t]);
+    let [x, y] = origin.map(f64::from);
+    let [_, v, t] = LinearForms::own_clamped_barycentrics(
+        simd,
+        #[inline(always)]
+        |lane| &of(lane).forms,
+        #[inline(always)]
+        |lane| [x + f64::from(CENTRE_X[lane]), y + f64::from(CENTRE_Y[lane])],
+    );
+    let weights: [[f32; LANES]; 2] = [v.into(), t.into()];
+    let colors = columns(
+        simd,
+        #[inline(always)]
+        |lane| {
+            let [a, b, c] = &of(lane).colors;
+            let corners = [
+                f32x4::simd_from(simd, *a),
+                f32x4::simd_from(simd, *b),
+                f32x4::simd_from(simd, *c),
+            ];
+            let [v, t] = &weights;
+            mixed(corners, [f32x4::splat(simd, v[lane]), f32x4::splat(simd, t[lane])])
+        },
+    );
+    if !has_fog {
+        return (colors, lanes);
     }
-    values
+    let fog = [0, 1, 2].map(|corner| lanes.each_lane(|lane| of(lane).fog[corner]));
+    (colors, mixed(fog, [v, t]))
 }
 
-/// A row in every lane.
+/// Numbers in every lane.
 #[inline(always)]
-fn in_lanes<N: Lanes>(simd: N, row: &[f32; 8]) -> [N; 8] {
-    let mut lanes = [simd; 8];
-    for (lanes, value) in lanes.iter_mut().zip(row) {
-        *lanes = simd.constant(*value);
+fn in_lanes<N: Lanes, const K: usize>(simd: N, numbers: &[f32; K]) -> [N; K] {
+    let mut lanes = [simd; K];
+    for (lanes, number) in lanes.iter_mut().zip(numbers) {
+        *lanes = simd.constant(*number);
     }
     lanes
 }
@@ -180,7 +176,10 @@ fn in_lanes<N: Lanes>(simd: N, row: &[f32; 8]) -> [N; 8] {
 /// The value between three corners' by the second and third barycentrics. So written, what is the same at all corners
 /// stays what it is.
 #[inline(always)]
-fn mixed<N: Lanes>([a, b, c]: [N; 3], [v, t]: [N; 2]) -> N {
+fn mixed<V>([a, b, c]: [V; 3], [v, t]: [V; 2]) -> V
+where
+    V: Copy + Add<Output = V> + Sub<Output = V> + Mul<Output = V>,
+{
     a + v * (b - a) + t * (c - a)
 }
 

@@ -99,7 +99,7 @@ impl F64Lanes for f64 {
 
 /// Four rows as four columns, by quarters, as those of `f32`.
 #[inline(always)]
-fn transposed<S: Simd>([a, b, c, d]: [f64x4<S>; 4]) -> [f64x4<S>; 4] {
+pub(super) fn transposed<S: Simd>([a, b, c, d]: [f64x4<S>; 4]) -> [f64x4<S>; 4] {
     let simd = a.simd;
     let ((a0, a2), (b0, b2)) = (simd.split_f64x4(a), simd.split_f64x4(b));
     let ((c0, c2), (d0, d2)) = (simd.split_f64x4(c), simd.split_f64x4(d));
@@ -122,8 +122,8 @@ macro_rules! wide_lanes {
         #[doc = concat!("The wide side of [`", stringify!($Lanes), "`]: as many `f64`.")]
         #[derive(Clone, Copy, Debug)]
         pub struct $F64Lanes<S: Simd> {
-            low: $Half<S>,
-            high: $Half<S>,
+            pub(super) low: $Half<S>,
+            pub(super) high: $Half<S>,
         }
 
         impl<S: Simd> $F64Lanes<S> {

@@ -47,7 +47,7 @@ fn transposed<S: Simd>(lines: [f32x8<S>; 8]) -> [f32x8<S>; 8] {
 
 /// Four rows as four columns.
 #[inline(always)]
-fn transposed_quarter<S: Simd>([a, b, c, d]: [f32x4<S>; 4]) -> [f32x4<S>; 4] {
+pub(super) fn transposed_quarter<S: Simd>([a, b, c, d]: [f32x4<S>; 4]) -> [f32x4<S>; 4] {
     let ((ac_low, ac_high), (bd_low, bd_high)) = (a.interleave(c), b.interleave(d));
     let ((first, second), (third, fourth)) =
         (ac_low.interleave(bd_low), ac_high.interleave(bd_high));

@@ -9,8 +9,11 @@
 //! Forms are made and evaluated in f64, and only barycentrics are rounded to f32: they are
 //! right to the last digits also on triangles of a hundredth of a pixel.
 
+use super::linear_form::{linear_form, step};
 use glam::DVec3;
-use luxel_math::{F64Lanes, Lanes, SUBPIXELS};
+use luxel_math::{
+    F64Lanes, F64x16, Lanes, SUBPIXELS, Simd, f32x16, f64x4, prelude::*, wide_columns,
+};
 use luxel_scene::{Projection, Size};
 
 /// How window positions become rays: x = x0 + dx X in the plane z = -1 of view space for
@@ -257,24 +260,7 @@ impl<D: F64Lanes> LinearForms<D> {
     #[inline(always)]
     #[must_use]
     pub fn clamped_barycentrics(&self, x: D, y: D) -> [D::F32; 3] {
-        let mut weights = self.weights(x, y);
-        let zero = x.constant(0.0);
-        let sum = weights[0] + weights[1] + weights[2];
-        // The sum has the sign of all weights inside.
-        let sign = sum.if_positive(sum.constant(1.0), sum.constant(-1.0));
-        for weight in &mut weights {
-            let signed = *weight * sign;
-            *weight = signed.if_positive(signed, zero);
-        }
-        let [w0, w1, w2] = weights;
-        let sum = w0 + w1 + w2;
-        let one = sum.constant(1.0);
-        let scale = one / sum.if_positive(sum, one);
-        [
-            sum.if_positive(w0 * scale, one).to_f32(),
-            sum.if_positive(w1 * scale, zero).to_f32(),
-            sum.if_positive(w2 * scale, zero).to_f32(),
-        ]
+        clamped_by_sum(self.weights(x, y))
     }
 
     /// The weights at window position (x, y) in pixels; divided by their sum they are barycentrics,
@@ -293,7 +279,7 @@ impl<D: F64Lanes> LinearForms<D> {
 
     #[inline(always)]
     fn weight(&self, i: usize, x: D, y: D) -> D {
-        self.a[i] * x + self.b[i] * y + self.c[i]
+        linear_form([self.a[i], self.b[i], self.c[i]], x, y)
     }
 
     /// The barycentrics at window position (x, y) in pixels, and where they lie outside the triangle
@@ -378,102 +364,56 @@ impl<D: F64Lanes> LinearForms<D> {
     }
 }
 
-/// How much the quotients of numerators and a divisor grow a pixel on, where the numerators grow by `slopes` and the
-/// divisor by `more`.
+impl<S: Simd> LinearForms<F64x16<S>> {
+    /// [`Self::clamped_barycentrics`] of each lane's own forms, from `packed(lane)`, at its own window position. Mark both
+    /// closures `#[inline(always)]`.
+    ///
+    /// Forms are evaluated where they lie, a triangle's in one register: of twelve numbers a lane, [`Self::unpacked`]
+    /// transposes all.
+    #[inline(always)]
+    #[must_use]
+    pub fn own_clamped_barycentrics<'p>(
+        simd: S,
+        packed: impl Fn(usize) -> &'p PackedForms,
+        position: impl Fn(usize) -> [f64; 2],
+    ) -> [f32x16<S>; 3] {
+        let [w0, w1, w2, _] = wide_columns(
+            simd,
+            #[inline(always)]
+            |lane| {
+                let [x, y] = position(lane);
+                let [a, b, c] = packed(lane);
+                let row = [
+                    f64x4::simd_from(simd, *a),
+                    f64x4::simd_from(simd, *b),
+                    f64x4::simd_from(simd, *c),
+                ];
+                linear_form(row, f64x4::splat(simd, x), f64x4::splat(simd, y))
+            },
+        );
+        clamped_by_sum([w0, w1, w2])
+    }
+}
+
+/// The barycentrics by weights, of which negative ones count as 0.
 #[inline(always)]
-fn step<D: F64Lanes, const K: usize>(
-    numerators: [D; K],
-    divisor: D,
-    slopes: [D; K],
-    more: D,
-) -> [D::F32; K] {
-    let scale = divisor.constant(1.0) / (divisor * (divisor + more));
-    let mut steps = [divisor.to_f32(); K];
-    for ((step, numerator), slope) in steps.iter_mut().zip(numerators).zip(slopes) {
-        *step = ((slope * divisor - numerator * more) * scale).to_f32();
+fn clamped_by_sum<D: F64Lanes>(mut weights: [D; 3]) -> [D::F32; 3] {
+    let sum = weights[0] + weights[1] + weights[2];
+    let (zero, one) = (sum.constant(0.0), sum.constant(1.0));
+    // The sum has the sign of all weights inside.
+    let sign = sum.if_positive(one, sum.constant(-1.0));
+    for weight in &mut weights {
+        let signed = *weight * sign;
+        *weight = signed.if_positive(signed, zero);
     }
-    steps
-}
-
-/// Three values over a window that a fourth one divides, all linear forms: attributes of a primitive with perspective.
-///
-/// They come from [`LinearForms`] and values w_i q_i at corners: sum w_i s_i over sum w_i q_i. In f64 throughout, so
-/// that a primitive whose corners lie far outside of the window has exact values within.
-#[derive(Clone, Copy, Debug)]
-pub struct ProjectiveForms<D = f64> {
-    a: [D; 4],
-    b: [D; 4],
-    c: [D; 4],
-}
-
-impl ProjectiveForms {
-    /// The rows of a primitive with corners' weights and four values each, of which the last divides.
-    #[must_use]
-    pub fn pack(weights: &PackedForms, corners: [[f32; 4]; 3]) -> PackedForms {
-        let mut rows = PackedForms::default();
-        for (row, weights) in rows.iter_mut().zip(weights) {
-            for (weight, corner) in weights.iter().zip(corners) {
-                for (sum, value) in row.iter_mut().zip(corner) {
-                    *sum += weight * f64::from(value);
-                }
-            }
-        }
-        rows
-    }
-}
-
-impl<D: F64Lanes> ProjectiveForms<D> {
-    /// One primitive's rows in every lane; `simd` selects the lane type.
-    #[inline(always)]
-    #[must_use]
-    pub fn everywhere(simd: D, rows: &PackedForms) -> Self {
-        let mut forms = [[simd; 4]; 3];
-        for (form, row) in forms.iter_mut().zip(rows) {
-            for (value, number) in form.iter_mut().zip(row) {
-                *value = simd.constant(*number);
-            }
-        }
-        let [a, b, c] = forms;
-        Self { a, b, c }
-    }
-
-    /// Each lane's own rows. The closure is to be marked `#[inline(always)]`.
-    #[inline(always)]
-    #[must_use]
-    pub fn unpacked<'p>(simd: D, packed: impl Fn(usize) -> &'p PackedForms) -> Self {
-        let a = simd.load_transposed(
-            #[inline(always)]
-            |lane| &packed(lane)[0],
-        );
-        let b = simd.load_transposed(
-            #[inline(always)]
-            |lane| &packed(lane)[1],
-        );
-        let c = simd.load_transposed(
-            #[inline(always)]
-            |lane| &packed(lane)[2],
-        );
-        Self { a, b, c }
-    }
-
-    /// The three values at window position (x, y) in pixels, and how much they grow from there to a pixel to the right
-    /// and to the next row.
-    #[inline(always)]
-    #[must_use]
-    pub fn values(&self, x: D, y: D) -> ([D::F32; 3], [[D::F32; 3]; 2]) {
-        let Self { a, b, c } = self;
-        let mut forms = *c;
-        for (axis, form) in forms.iter_mut().enumerate() {
-            *form = a[axis] * x + b[axis] * y + c[axis];
-        }
-        let [s, t, r, divisor] = forms;
-        let numerators = [s, t, r];
-        let scale = divisor.constant(1.0) / divisor;
-        let values = [(s * scale).to_f32(), (t * scale).to_f32(), (r * scale).to_f32()];
-        let right = step(numerators, divisor, [a[0], a[1], a[2]], a[3]);
-        let next = step(numerators, divisor, [b[0], b[1], b[2]], b[3]);
-        (values, [right, next])
-    }
+    let [w0, w1, w2] = weights;
+    let sum = w0 + w1 + w2;
+    let scale = one / sum.if_positive(sum, one);
+    [
+        sum.if_positive(w0 * scale, one).to_f32(),
+        sum.if_positive(w1 * scale, zero).to_f32(),
+        sum.if_positive(w2 * scale, zero).to_f32(),
+    ]
 }
 
 /// One triangle alone.

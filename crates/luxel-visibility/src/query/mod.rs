@@ -2,16 +2,19 @@
 
 mod barycentric;
 mod instance_transform;
+mod linear_form;
 mod lines_points;
 mod point_coverage;
+mod projective;
 mod seen_cluster;
 mod tile_forms;
 mod view_rays;
 
-pub use barycentric::{Forms, LinearForms, PackedForms, ProjectiveForms, WindowRays};
+pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
 pub use instance_transform::{InstanceSpace, ViewSpace, sides};
 pub use lines_points::{LINE_WIDTH, Strokes, strokes};
 pub use point_coverage::{Probe, ProbedTriangle, Reach};
+pub use projective::ProjectiveForms;
 pub use seen_cluster::{SeenCluster, ShadingCorners};
 pub use tile_forms::{
     Barycentrics, TILE_FORMS, TileForms, interpolate, interpolate_corners,
