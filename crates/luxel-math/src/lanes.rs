@@ -101,7 +101,7 @@ pub trait Lanes:
     fn store_transposed(columns: [Self; 8], put: impl FnMut(usize, [f32; 8]));
     /// Writes the values of all lanes to consecutive places from index `first` on.
     fn store(self, values: &mut [f32; LANES], first: usize);
-    /// Writes whole numbers from 0 to 2^24 as integers, from index `first` on.
+    /// Writes whole numbers from -2^24 to 2^24 as the bits of `i32`, from index `first` on.
     fn store_whole(self, values: &mut [u32; LANES], first: usize);
     /// Calls `work` with each lane whose bit is set; an `f32` has only lane 0. `self` selects the
     /// lane type. Mark the closure `#[inline(always)]`.

@@ -262,12 +262,13 @@ impl VertexProcessor {
         let (up, within) = held_at(y, w, half[1], centre[1]);
         held = held & within;
         let depths = z / w * w.constant(depth[0]) + w.constant(depth[1]);
-        let [mut xs, mut ys, mut zs] = [[0.0; LANES]; 3];
-        across.store(&mut xs, 0);
-        up.store(&mut ys, 0);
+        let ([mut xs, mut ys], mut zs) = ([[0; LANES]; 2], [0.0; LANES]);
+        across.store_whole(&mut xs, 0);
+        up.store_whole(&mut ys, 0);
         depths.store(&mut zs, 0);
         for (lane, vertex) in out.iter_mut().enumerate().take(LANES) {
-            *vertex = WindowVertex { x: xs[lane] as i32, y: ys[lane] as i32, z: zs[lane] };
+            let [x, y] = [xs[lane], ys[lane]].map(u32::cast_signed);
+            *vertex = WindowVertex { x, y, z: zs[lane] };
         }
         held.bits()
     }

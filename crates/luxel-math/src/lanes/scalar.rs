@@ -106,7 +106,7 @@ impl Lanes for f32 {
     }
     #[inline(always)]
     fn store_whole(self, values: &mut [u32; LANES], first: usize) {
-        values[first] = self as u32;
+        values[first] = (self as i32).cast_unsigned();
     }
     #[inline(always)]
     fn visit(self, lanes: u32, mut work: impl FnMut(usize)) {
