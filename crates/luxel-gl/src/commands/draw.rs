@@ -12,12 +12,16 @@ use crate::primitive::{assemble, assemble_parts, parts};
 use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, PieceBuilder, Pieces, Pipeline};
 use crate::state::current::RasterPosition;
 use crate::vertex::{
-    Materials, Needs, Processed, Stream, VertexProcessor, VertexView, Vertices, WindowScale, codes,
+    Materials, Needs, Pass, Processed, Stream, UsedVertices, VertexProcessor, VertexView, Vertices,
+    WindowScale, codes,
 };
 use std::sync::Arc;
 
 /// Primitives that become feedback before it is appended to the buffer.
 const FEEDBACK_WAVE: usize = FEEDBACK_PARTS * PIECES_RUN;
+
+/// Draws of so few vertices light them whether they are used or not.
+const SMALL_DRAW: usize = 64;
 
 impl Context {
     /// Draws what waits.
@@ -60,15 +64,15 @@ impl Context {
         let scale = self.window_scale();
         let state = DrawState::new(&self.state, scale, is_listed);
         let level = self.level;
-        let process = |context: &Self, needs: Needs, out: &mut Processed| {
-            let processor = VertexProcessor::new(&context.state, &context.matrices, scale, needs);
-            processor.process(vertices, materials, level, out);
+        let processor = |context: &Self, needs: Needs| {
+            VertexProcessor::new(&context.state, &context.matrices, scale, needs)
         };
+        let of = (vertices, materials);
         let mut processed = self.log.spare().vertices();
         let count = vertices.len();
         match self.render_mode {
             gl::SELECT => {
-                process(self, Needs::default(), &mut processed);
+                processor(self, Needs::default()).process(of, Pass::Both, level, &mut processed);
                 let window = self.state.window_transform();
                 let mut visitor = HitVisitor::new(&state, &processed, window, &mut self.selection);
                 assemble(mode, count, elements, &mut visitor);
@@ -76,11 +80,8 @@ impl Context {
                 self.log.spare().put_vertices(processed);
             }
             gl::FEEDBACK => {
-                process(
-                    self,
-                    Needs { window: true, eye: true, colors: true, textures: 1 },
-                    &mut processed,
-                );
+                let needs = Needs { window: true, eye: true, colors: true, textures: 1 };
+                processor(self, needs).process(of, Pass::Both, level, &mut processed);
                 let window = self.state.window_transform();
                 let parts = parts(mode, elements.map_or(count, <[u32]>::len));
                 // In waves, so that parts take no more memory than the buffer has room for, and a little.
@@ -105,15 +106,26 @@ impl Context {
                 let textures = pipeline.textures.as_ref().map_or(0, TextureStages::units);
                 let eye = state.needs_eye();
                 let needs = Needs { window: true, eye, colors: true, textures };
-                process(self, needs, &mut processed);
-                let batch = Batch::new(pipeline, viewport, scale, processed);
+                let processor = processor(self, needs);
+                let used = (count > SMALL_DRAW && processor.lights())
+                    .then(|| UsedVertices::none_of(count));
+                let pass = if used.is_some() { Pass::Places } else { Pass::Both };
+                processor.process(of, pass, level, &mut processed);
+                let mut batch = Batch::new(pipeline, viewport, scale, processed);
                 let spare = self.log.spare();
                 let parts = parts(mode, elements.map_or(count, <[u32]>::len));
                 let runs = luxel_parallel::map(parts, PIECES_RUN, &|run| {
                     let mut builder = PieceBuilder::new(&state, &batch, spare.pieces(), level);
                     assemble_parts(mode, count, elements, run, &mut builder);
-                    builder.finish()
+                    let pieces = builder.finish();
+                    if let Some(used) = &used {
+                        pieces.note(used);
+                    }
+                    pieces
                 });
+                if let Some(used) = &used {
+                    processor.process(of, Pass::Shades(used), level, &mut batch.vertices);
+                }
                 self.finish_draw(batch, runs);
             }
         }
@@ -166,8 +178,8 @@ impl Context {
         let needs = Needs { window: true, eye: true, colors: true, textures };
         let mut vertex = Processed::default();
         VertexProcessor::new(&self.state, &self.matrices, scale, needs).process(
-            &vertices.view(&self.state.current),
-            &Materials::new(self.state.materials),
+            (&vertices.view(&self.state.current), &Materials::new(self.state.materials)),
+            Pass::Both,
             self.level,
             &mut vertex,
         );

@@ -3,6 +3,7 @@
 use super::batch::Batch;
 use super::outline::Outline;
 use super::shape::Shape;
+use crate::vertex::UsedVertices;
 use luxel_visibility::{CullFaces, TILE, Triangle, WindowVertex};
 
 /// Where a primitive's colours come from: three vertices of the batch, of which a line has two and a point one; in flat
@@ -101,6 +102,15 @@ impl Pieces {
     /// The outline with a number.
     pub(super) fn outline(&self, number: u32) -> &Outline {
         &self.outlines[number as usize]
+    }
+
+    /// Takes note of the vertices whose colours are used.
+    pub(crate) fn note(&self, used: &UsedVertices) {
+        for Piece { shade: Shade { corners, flat, .. }, .. } in &self.list {
+            for &vertex in corners.iter().chain(flat) {
+                used.note(vertex);
+            }
+        }
     }
 
     /// All of them.

@@ -6,6 +6,7 @@ use super::materials::Materials;
 use super::matrix_rows::MatrixRows;
 use super::processed::{Lists, Processed, ProcessedRun, WindowScale, codes};
 use super::texgen::{CoordinateSetup, VertexPlace};
+use super::used::UsedVertices;
 use super::view::VertexView;
 use crate::enums as gl;
 use crate::limits::CLIP_PLANES;
@@ -14,6 +15,7 @@ use crate::state::matrices::Matrices;
 use glam::DMat4;
 use luxel_math::{LANES, Lanes, Level, Mask, Rgb, Vec3, dispatch_long, f32x16, prelude::*};
 use luxel_visibility::{GUARD_BAND, WindowVertex, snap};
+use std::ops::Range;
 
 /// Vertices that one thread takes at a time.
 const RUN: usize = 4096;
@@ -39,6 +41,15 @@ pub(crate) struct Needs {
     pub(crate) colors: bool,
     /// Texture coordinates of some units, a bit each.
     pub(crate) textures: u32,
+}
+
+/// What is written of a draw's vertices: places, on which it depends what is drawn; colours and what else fragments take.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Pass<'u> {
+    Both,
+    Places,
+    /// After their places, of those alone that are used.
+    Shades(&'u UsedVertices),
 }
 
 /// What vertices are processed by: the state of one draw.
@@ -95,6 +106,11 @@ impl VertexProcessor {
         }
     }
 
+    /// Whether vertices are lit.
+    pub(crate) fn lights(&self) -> bool {
+        self.lighting.is_some()
+    }
+
     fn lists(&self) -> Lists {
         let lit = self.lighting.as_ref();
         let sides = lit.map_or(1, VertexLighting::sides);
@@ -110,24 +126,28 @@ impl VertexProcessor {
         }
     }
 
-    /// Writes what becomes of all vertices of a draw.
+    /// Writes what becomes of the vertices of a draw.
     pub(crate) fn process(
         &self,
-        vertices: &VertexView<'_>,
-        materials: &Materials,
+        (vertices, materials): (&VertexView<'_>, &Materials),
+        pass: Pass<'_>,
         level: Level,
         processed: &mut Processed,
     ) {
-        processed.resize(vertices.len(), &self.lists());
+        if !matches!(pass, Pass::Shades(_)) {
+            processed.resize(vertices.len(), &self.lists());
+        }
         let runs = processed.runs(RUN);
         luxel_parallel::each(runs.into_iter(), &|mut run: ProcessedRun<'_>| {
             dispatch_long!(level, simd => {
                 let lanes = f32x16::splat(simd, 0.0);
-                self.run(lanes, (vertices, materials), &mut run);
+                self.run(lanes, (vertices, materials), pass, &mut run);
             });
         });
         let flags = &vertices.edge_flag;
-        if flags.varies() {
+        if matches!(pass, Pass::Shades(_)) {
+            // They came with the places.
+        } else if flags.varies() {
             processed.edge_flags.extend((0..vertices.len()).map(|vertex| flags.of(vertex)));
         } else if !flags.of(0) {
             processed.edge_flags.resize(vertices.len(), false);
@@ -140,29 +160,31 @@ impl VertexProcessor {
         &self,
         simd: N,
         from: (&VertexView<'_>, &Materials),
+        pass: Pass<'_>,
         out: &mut ProcessedRun<'_>,
     ) {
         let count = out.clip.len();
         for start in (0..count).step_by(LANES) {
-            self.sixteen(simd, from, start, LANES.min(count - start), out);
+            let sixteen = start..count.min(start + LANES);
+            let position = load_rows(simd, from.0.positions, out.first + start, sixteen.len());
+            if !matches!(pass, Pass::Shades(_)) {
+                self.place(position, sixteen.clone(), out);
+            }
+            let shades = match pass {
+                Pass::Both => true,
+                Pass::Places => false,
+                Pass::Shades(used) => used.has(out.first + start),
+            };
+            if shades {
+                self.shade(position, from, sixteen, out);
+            }
         }
     }
 
-    /// `count` vertices from `start` of a run on.
+    /// Where up to sixteen vertices of a run lie.
     #[inline(always)]
-    fn sixteen<N: Lanes>(
-        &self,
-        simd: N,
-        (vertices, materials): (&VertexView<'_>, &Materials),
-        start: usize,
-        count: usize,
-        out: &mut ProcessedRun<'_>,
-    ) {
-        let first = out.first + start;
-        let run = start..start + count;
-        // Lanes beyond the last vertex repeat it.
-        let at = |lane: usize| first + lane.min(count - 1);
-        let position = load_rows(simd, vertices.positions, first, count);
+    fn place<N: Lanes>(&self, position: [N; 4], run: Range<usize>, out: &mut ProcessedRun<'_>) {
+        let simd = position[0];
         let clip = self.clip_from_object.times(position);
         store(&clip, &mut out.clip[run.clone()]);
         let held = match self.needs.window {
@@ -170,12 +192,8 @@ impl VertexProcessor {
             false => u32::MAX,
         };
         let mut codes = self.codes(clip, held);
-        let needs_eye = self.needs.eye
-            || self.lighting.is_some()
-            || self.fog_from_coordinates == Some(false)
-            || self.textures.iter().any(CoordinateSetup::needs_eye);
-        let eye = if needs_eye { self.eye_from_object.times(position) } else { position };
         if self.needs.eye {
+            let eye = self.eye_from_object.times(position);
             store(&eye, &mut out.eye[run.clone()]);
             for &(number, [a, b, c, d]) in &self.planes {
                 let [x, y, z, w] = eye;
@@ -187,7 +205,27 @@ impl VertexProcessor {
                 spread(beyond, codes::FIRST_PLANE + number, &mut codes);
             }
         }
-        out.codes[run.clone()].copy_from_slice(&codes[..count]);
+        let count = run.len();
+        out.codes[run].copy_from_slice(&codes[..count]);
+    }
+
+    /// What fragments take of up to sixteen vertices of a run.
+    #[inline(always)]
+    fn shade<N: Lanes>(
+        &self,
+        position: [N; 4],
+        (vertices, materials): (&VertexView<'_>, &Materials),
+        run: Range<usize>,
+        out: &mut ProcessedRun<'_>,
+    ) {
+        let simd = position[0];
+        let (first, count) = (out.first + run.start, run.len());
+        // Lanes beyond the last vertex repeat it.
+        let at = |lane: usize| first + lane.min(count - 1);
+        let needs_eye = self.lighting.is_some()
+            || self.fog_from_coordinates == Some(false)
+            || self.textures.iter().any(CoordinateSetup::needs_eye);
+        let eye = if needs_eye { self.eye_from_object.times(position) } else { position };
         match self.fog_from_coordinates {
             Some(true) => {
                 for (lane, coordinate) in out.fog_coord[run.clone()].iter_mut().enumerate() {

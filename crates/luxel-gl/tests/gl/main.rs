@@ -24,4 +24,5 @@ mod samples;
 mod smooth;
 mod state;
 mod textures;
+mod unlit;
 mod waiting;

@@ -47,7 +47,7 @@ fn four<R>(row: &impl Fn(usize) -> R, first: usize) -> [R; 4] {
 mod tests {
     use super::*;
     use crate::SimdLevel;
-    use crate::prelude::*;
+    use crate::lanes::F64Lanes;
     use fearless_simd::dispatch;
 
     #[inline(always)]
