@@ -43,7 +43,8 @@ pub(crate) struct Needs {
     pub(crate) textures: u32,
 }
 
-/// What is written of a draw's vertices: places, on which it depends what is drawn; colours and what else fragments take.
+/// What is written of a draw's vertices: their places, which decide what is drawn; colours and what else fragments
+/// take.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Pass<'u> {
     Both,

@@ -1,7 +1,7 @@
 //! Rows of four numbers, one for each lane, as four columns of lanes.
 //!
-//! What each lane computes from numbers of its own, such as a form a x + b y + c of four components, can be computed row
-//! by row where the numbers lie: then only the results are transposed, not all that they are made of.
+//! What each lane computes from numbers of its own, such as a form a x + b y + c of four components, can be computed
+//! row by row where the numbers lie: then only the results are transposed, not all that they are made of.
 
 use super::{F64x16, f64_lanes, vector};
 use fearless_simd::{Simd, f32x4, f32x16, f64x4, f64x8, prelude::*};

@@ -22,8 +22,8 @@ fn compares_in_min_and_max<S: Simd>(simd: S) -> bool {
     }
 }
 
-/// Eight rows as eight columns, by quarters of four rows and four columns: x86 shuffles lanes within 128 bits faster than
-/// across them, by as much as eight times (Zen 1).
+/// Eight rows as eight columns, by quarters of four rows and four columns: x86 shuffles lanes within 128 bits faster
+/// than across them.
 #[inline(always)]
 fn transposed<S: Simd>(lines: [f32x8<S>; 8]) -> [f32x8<S>; 8] {
     let simd = lines[0].simd;

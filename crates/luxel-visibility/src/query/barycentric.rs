@@ -365,8 +365,8 @@ impl<D: F64Lanes> LinearForms<D> {
 }
 
 impl<S: Simd> LinearForms<F64x16<S>> {
-    /// [`Self::clamped_barycentrics`] of each lane's own forms, from `packed(lane)`, at its own window position. Mark both
-    /// closures `#[inline(always)]`.
+    /// [`Self::clamped_barycentrics`] of each lane's own forms, from `packed(lane)`, at its own window position. Mark
+    /// both closures `#[inline(always)]`.
     ///
     /// Forms are evaluated where they lie, a triangle's in one register: of twelve numbers a lane, [`Self::unpacked`]
     /// transposes all.
