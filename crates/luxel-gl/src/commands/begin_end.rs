@@ -23,7 +23,8 @@ impl Context {
         if self.is_incomplete() {
             return;
         }
-        self.stream.begin((mode, is_listed), &self.state.current, self.state.materials);
+        let of = (mode, is_listed, self.render_mode == gl::SELECT);
+        self.stream.begin(of, &self.state.current, self.state.materials);
     }
 
     /// `glEnd`. `GL_INVALID_OPERATION` without `glBegin`.

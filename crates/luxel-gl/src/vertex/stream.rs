@@ -25,6 +25,8 @@ pub(crate) struct Stream {
     pub(crate) mode: u32,
     /// Whether it comes from a display list.
     pub(crate) is_listed: bool,
+    /// Whether vertices keep more than their positions: hits are found by these alone.
+    has_attributes: bool,
     pub(crate) vertices: Vertices,
     pub(crate) materials: Materials,
 }
@@ -33,7 +35,7 @@ impl Default for Stream {
     fn default() -> Self {
         let materials = Materials::new(Sides::default());
         let (phase, mode, vertices) = (Phase::Idle, gl::POINTS, Vertices::default());
-        Self { phase, mode, is_listed: false, vertices, materials }
+        Self { phase, mode, is_listed: false, has_attributes: true, vertices, materials }
     }
 }
 
@@ -51,15 +53,15 @@ fn complete(mode: u32, count: usize) -> Option<usize> {
 }
 
 impl Stream {
-    /// Begins primitives with what is current.
+    /// Begins primitives with what is current, for hits alone or for all that is drawn.
     pub(crate) fn begin(
         &mut self,
-        (mode, is_listed): (u32, bool),
+        (mode, is_listed, for_hits): (u32, bool, bool),
         current: &Current,
         materials: Sides,
     ) {
         self.phase = Phase::Open;
-        (self.mode, self.is_listed) = (mode, is_listed);
+        (self.mode, self.is_listed, self.has_attributes) = (mode, is_listed, !for_hits);
         self.vertices.restart(current);
         self.materials = Materials::new(materials);
     }
@@ -117,7 +119,7 @@ impl Stream {
     /// Whether attributes of now are those of its next vertex.
     #[inline]
     pub(crate) fn takes_attributes(&self) -> bool {
-        self.phase != Phase::Idle
+        self.phase != Phase::Idle && self.has_attributes
     }
 
     /// After all that is complete has been drawn of independent primitives: keeps the rest. False for others, which are
@@ -146,7 +148,7 @@ mod tests {
 
     fn begun(mode: u32) -> Stream {
         let mut stream = Stream::default();
-        stream.begin((mode, false), &Current::default(), Sides::default());
+        stream.begin((mode, false, false), &Current::default(), Sides::default());
         stream
     }
 
