@@ -8,13 +8,14 @@ use crate::fragment::TextureStages;
 use crate::limits::TEXTURE_UNITS;
 use crate::modes::{FEEDBACK_PARTS, FeedbackVisitor, HitVisitor};
 use crate::objects::list::Command;
-use crate::primitive::{assemble, assemble_parts, parts};
+use crate::primitive::{Visitor, assemble, assemble_parts, parts};
 use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, PieceBuilder, Pieces, Pipeline};
 use crate::state::current::RasterPosition;
 use crate::vertex::{
     Materials, Needs, Pass, Processed, Stream, UsedVertices, VertexProcessor, VertexView, Vertices,
     WindowScale, codes,
 };
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Primitives that become feedback before it is appended to the buffer.
@@ -22,6 +23,36 @@ const FEEDBACK_WAVE: usize = FEEDBACK_PARTS * PIECES_RUN;
 
 /// Draws of so few vertices light them whether they are used or not.
 const SMALL_DRAW: usize = 64;
+
+/// Primitives of vertices.
+#[derive(Clone, Copy)]
+struct Draw<'a> {
+    mode: u32,
+    is_listed: bool,
+    vertices: &'a VertexView<'a>,
+    materials: &'a Materials,
+    /// Their order; `None` for one after the other.
+    elements: Option<&'a [u32]>,
+}
+
+impl<'a> Draw<'a> {
+    fn of(&self) -> (&'a VertexView<'a>, &'a Materials) {
+        (self.vertices, self.materials)
+    }
+
+    /// How many parts they can be taken in.
+    fn parts(&self) -> usize {
+        parts(self.mode, self.elements.map_or(self.vertices.len(), <[u32]>::len))
+    }
+
+    fn assemble(&self, visitor: &mut impl Visitor) {
+        assemble(self.mode, self.vertices.len(), self.elements, visitor);
+    }
+
+    fn assemble_parts(&self, parts: Range<usize>, visitor: &mut impl Visitor) {
+        assemble_parts(self.mode, self.vertices.len(), self.elements, parts, visitor);
+    }
+}
 
 impl Context {
     /// Draws what waits.
@@ -36,8 +67,9 @@ impl Context {
     /// Draws what a stream has.
     pub(crate) fn draw_stream(&mut self, stream: &Stream) {
         let Stream { mode, is_listed, vertices, materials, .. } = stream;
-        let vertices = vertices.view(&self.state.current);
-        self.draw_primitives((*mode, *is_listed), &vertices, materials, None);
+        let vertices = &vertices.view(&self.state.current);
+        let is_listed = *is_listed;
+        self.draw(&Draw { mode: *mode, is_listed, vertices, materials, elements: None });
     }
 
     /// Draws vertices in the order of elements; `None` for one after the other.
@@ -48,87 +80,93 @@ impl Context {
         materials: &Materials,
         elements: Option<&[u32]>,
     ) {
-        self.draw_primitives((mode, self.nesting > 0), vertices, materials, elements);
+        let is_listed = self.nesting > 0;
+        self.draw(&Draw { mode, is_listed, vertices, materials, elements });
     }
 
-    fn draw_primitives(
-        &mut self,
-        (mode, is_listed): (u32, bool),
-        vertices: &VertexView<'_>,
-        materials: &Materials,
-        elements: Option<&[u32]>,
-    ) {
-        if vertices.is_empty() {
+    fn draw(&mut self, draw: &Draw<'_>) {
+        if draw.vertices.is_empty() {
             return;
         }
-        let scale = self.window_scale();
-        let state = DrawState::new(&self.state, scale, is_listed);
-        let level = self.level;
-        let processor = |context: &Self, needs: Needs| {
-            VertexProcessor::new(&context.state, &context.matrices, scale, needs)
-        };
-        let of = (vertices, materials);
-        let mut processed = self.log.spare().vertices();
-        let count = vertices.len();
         match self.render_mode {
-            gl::SELECT => {
-                processor(self, Needs::default()).process(of, Pass::Both, level, &mut processed);
-                let window = self.state.window_transform();
-                let mut visitor = HitVisitor::new(&state, &processed, window, &mut self.selection);
-                assemble(mode, count, elements, &mut visitor);
-                visitor.finish();
-                self.log.spare().put_vertices(processed);
-            }
-            gl::FEEDBACK => {
-                let needs = Needs { window: true, eye: true, colors: true, textures: 1 };
-                processor(self, needs).process(of, Pass::Both, level, &mut processed);
-                let window = self.state.window_transform();
-                let parts = parts(mode, elements.map_or(count, <[u32]>::len));
-                // In waves, so that parts take no more memory than the buffer has room for, and a little.
-                for start in (0..parts).step_by(FEEDBACK_WAVE) {
-                    if self.feedback.is_full() {
-                        break;
-                    }
-                    let (feedback, length) = (&self.feedback, FEEDBACK_WAVE.min(parts - start));
-                    let runs = luxel_parallel::map(length, PIECES_RUN, &|run| {
-                        let part = feedback.part();
-                        let mut visitor = FeedbackVisitor::new(&state, &processed, window, part);
-                        let run = start + run.start..start + run.end;
-                        assemble_parts(mode, count, elements, run, &mut visitor);
-                        Some(visitor.finish())
-                    });
-                    self.feedback.append(runs.into_iter().flatten());
-                }
-                self.log.spare().put_vertices(processed);
-            }
-            _ => {
-                let Some((pipeline, viewport)) = self.begin_draw() else { return };
-                let textures = pipeline.textures.as_ref().map_or(0, TextureStages::units);
-                let eye = state.needs_eye();
-                let needs = Needs { window: true, eye, colors: true, textures };
-                let processor = processor(self, needs);
-                let used = (count > SMALL_DRAW && processor.lights())
-                    .then(|| UsedVertices::none_of(count));
-                let pass = if used.is_some() { Pass::Places } else { Pass::Both };
-                processor.process(of, pass, level, &mut processed);
-                let mut batch = Batch::new(pipeline, viewport, scale, processed);
-                let spare = self.log.spare();
-                let parts = parts(mode, elements.map_or(count, <[u32]>::len));
-                let runs = luxel_parallel::map(parts, PIECES_RUN, &|run| {
-                    let mut builder = PieceBuilder::new(&state, &batch, spare.pieces(), level);
-                    assemble_parts(mode, count, elements, run, &mut builder);
-                    let pieces = builder.finish();
-                    if let Some(used) = &used {
-                        pieces.note(used);
-                    }
-                    pieces
-                });
-                if let Some(used) = &used {
-                    processor.process(of, Pass::Shades(used), level, &mut batch.vertices);
-                }
-                self.finish_draw(batch, runs);
-            }
+            gl::SELECT => self.find_hits(draw),
+            gl::FEEDBACK => self.feed_back(draw),
+            _ => self.render(draw),
         }
+    }
+
+    fn find_hits(&mut self, draw: &Draw<'_>) {
+        let state = self.draw_state(draw);
+        let mut processed = self.log.spare().vertices();
+        self.process(draw, Needs::default(), &mut processed);
+        let window = self.state.window_transform();
+        let mut visitor = HitVisitor::new(&state, &processed, window, &mut self.selection);
+        draw.assemble(&mut visitor);
+        visitor.finish();
+        self.log.spare().put_vertices(processed);
+    }
+
+    fn feed_back(&mut self, draw: &Draw<'_>) {
+        let state = self.draw_state(draw);
+        let mut processed = self.log.spare().vertices();
+        let needs = Needs { window: true, eye: true, colors: true, textures: 1 };
+        self.process(draw, needs, &mut processed);
+        let window = self.state.window_transform();
+        let parts = draw.parts();
+        // In waves, so that parts take no more memory than the buffer has room for, and a little.
+        for start in (0..parts).step_by(FEEDBACK_WAVE) {
+            if self.feedback.is_full() {
+                break;
+            }
+            let (feedback, length) = (&self.feedback, FEEDBACK_WAVE.min(parts - start));
+            let runs = luxel_parallel::map(length, PIECES_RUN, &|run| {
+                let mut visitor = FeedbackVisitor::new(&state, &processed, window, feedback.part());
+                draw.assemble_parts(start + run.start..start + run.end, &mut visitor);
+                Some(visitor.finish())
+            });
+            self.feedback.append(runs.into_iter().flatten());
+        }
+        self.log.spare().put_vertices(processed);
+    }
+
+    fn render(&mut self, draw: &Draw<'_>) {
+        let Some((pipeline, viewport)) = self.begin_draw() else { return };
+        let (state, scale, level) = (self.draw_state(draw), self.window_scale(), self.level);
+        let textures = pipeline.textures.as_ref().map_or(0, TextureStages::units);
+        let needs = Needs { window: true, eye: state.needs_eye(), colors: true, textures };
+        let processor = self.processor(needs);
+        let mut processed = self.log.spare().vertices();
+        let count = draw.vertices.len();
+        let used = (count > SMALL_DRAW && processor.lights()).then(|| UsedVertices::none_of(count));
+        let pass = if used.is_some() { Pass::Places } else { Pass::Both };
+        processor.process(draw.of(), pass, level, &mut processed);
+        let mut batch = Batch::new(pipeline, viewport, scale, processed);
+        let spare = self.log.spare();
+        let runs = luxel_parallel::map(draw.parts(), PIECES_RUN, &|run| {
+            let mut builder = PieceBuilder::new(&state, &batch, spare.pieces(), level);
+            draw.assemble_parts(run, &mut builder);
+            let pieces = builder.finish();
+            if let Some(used) = &used {
+                pieces.note(used);
+            }
+            pieces
+        });
+        if let Some(used) = &used {
+            processor.process(draw.of(), Pass::Shades(used), level, &mut batch.vertices);
+        }
+        self.finish_draw(batch, runs);
+    }
+
+    fn draw_state(&self, draw: &Draw<'_>) -> DrawState {
+        DrawState::new(&self.state, self.window_scale(), draw.is_listed)
+    }
+
+    fn processor(&self, needs: Needs) -> VertexProcessor {
+        VertexProcessor::new(&self.state, &self.matrices, self.window_scale(), needs)
+    }
+
+    fn process(&self, draw: &Draw<'_>, needs: Needs, processed: &mut Processed) {
+        self.processor(needs).process(draw.of(), Pass::Both, self.level, processed);
     }
 
     /// The pipeline of a draw, and the viewport; `None` where nothing can be drawn.

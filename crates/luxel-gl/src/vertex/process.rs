@@ -53,6 +53,22 @@ pub(crate) enum Pass<'u> {
     Shades(&'u UsedVertices),
 }
 
+impl Pass<'_> {
+    fn writes_places(&self) -> bool {
+        !matches!(self, Self::Shades(_))
+    }
+
+    /// Whether sixteen vertices are shaded, the first of which is the first of a group.
+    #[inline]
+    fn shades(&self, first: usize) -> bool {
+        match self {
+            Self::Both => true,
+            Self::Places => false,
+            Self::Shades(used) => used.has(first),
+        }
+    }
+}
+
 /// What vertices are processed by: the state of one draw.
 #[derive(Debug)]
 pub(crate) struct VertexProcessor {
@@ -135,8 +151,9 @@ impl VertexProcessor {
         level: Level,
         processed: &mut Processed,
     ) {
-        if !matches!(pass, Pass::Shades(_)) {
+        if pass.writes_places() {
             processed.resize(vertices.len(), &self.lists());
+            processed.put_edge_flags(vertices);
         }
         let runs = processed.runs(RUN);
         luxel_parallel::each(runs.into_iter(), &|mut run: ProcessedRun<'_>| {
@@ -145,14 +162,6 @@ impl VertexProcessor {
                 self.run(lanes, (vertices, materials), pass, &mut run);
             });
         });
-        let flags = &vertices.edge_flag;
-        if matches!(pass, Pass::Shades(_)) {
-            // They came with the places.
-        } else if flags.varies() {
-            processed.edge_flags.extend((0..vertices.len()).map(|vertex| flags.of(vertex)));
-        } else if !flags.of(0) {
-            processed.edge_flags.resize(vertices.len(), false);
-        }
     }
 
     /// A run of vertices; `simd` selects the lane type.
@@ -168,15 +177,10 @@ impl VertexProcessor {
         for start in (0..count).step_by(LANES) {
             let sixteen = start..count.min(start + LANES);
             let position = load_rows(simd, from.0.positions, out.first + start, sixteen.len());
-            if !matches!(pass, Pass::Shades(_)) {
+            if pass.writes_places() {
                 self.place(position, sixteen.clone(), out);
             }
-            let shades = match pass {
-                Pass::Both => true,
-                Pass::Places => false,
-                Pass::Shades(used) => used.has(out.first + start),
-            };
-            if shades {
+            if pass.shades(out.first + start) {
                 self.shade(position, from, sixteen, out);
             }
         }

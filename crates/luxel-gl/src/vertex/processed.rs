@@ -1,5 +1,6 @@
 //! What becomes of vertices: places in clip and window coordinates, colours.
 
+use super::view::VertexView;
 use crate::depth::DepthKind;
 use crate::limits::TEXTURE_UNITS;
 use crate::state::current::RasterPosition;
@@ -135,6 +136,16 @@ impl Processed {
             sized(list, count, lists.textures >> unit & 1 == 1);
         }
         self.edge_flags.clear();
+    }
+
+    /// Takes the edge flags of all vertices, if some are no edges.
+    pub(super) fn put_edge_flags(&mut self, vertices: &VertexView<'_>) {
+        let flags = &vertices.edge_flag;
+        if flags.varies() {
+            self.edge_flags.extend((0..vertices.len()).map(|vertex| flags.of(vertex)));
+        } else if !flags.of(0) {
+            self.edge_flags.resize(vertices.len(), false);
+        }
     }
 
     /// Bytes of all lists, with the room for more.
