@@ -50,7 +50,8 @@ pub fn texel_position<N: Lanes>(coordinate: N, size: N, addressing: Addressing) 
         Addressing::MirroredRepeat => {
             let two = coordinate.constant(2.0);
             let within_two = coordinate - two * (coordinate * coordinate.constant(0.5)).floor();
-            within_two.minimum(two - within_two)
+            // Half of the negative number next to 0 is -0, whose floor is no less than itself.
+            within_two.minimum(two - within_two).positive_part()
         }
         Addressing::ClampToEdge | Addressing::Clamp => coordinate.clamped(0.0, 1.0),
         Addressing::ClampToBorder => {
@@ -118,6 +119,22 @@ mod tests {
         assert_eq!(linear(3.0, Addressing::ClampToBorder), (3, 5, 1.0));
         assert_eq!(linear(3.0, Addressing::ClampToEdge), (3, 3, 0.5));
         assert_eq!(linear(0.5, Addressing::ClampToBorder), (1, 2, 0.5));
+    }
+
+    #[test]
+    fn the_numbers_next_to_0_lie_on_the_axis_in_every_mode() {
+        for addressing in [
+            Addressing::Repeat,
+            Addressing::MirroredRepeat,
+            Addressing::ClampToEdge,
+            Addressing::Clamp,
+        ] {
+            for coordinate in [-f32::from_bits(1), -f32::MIN_POSITIVE, -0.0, f32::from_bits(1)] {
+                let position = texel_position(coordinate, 4.0, addressing);
+                assert!((0.0..=4.0).contains(&position), "{coordinate:e}: {position:e}");
+                assert!(nearest_texel(position, 4.0, addressing) >= 0.0, "{coordinate:e}");
+            }
+        }
     }
 
     #[test]
