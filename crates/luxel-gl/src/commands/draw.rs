@@ -40,6 +40,12 @@ impl<'a> Draw<'a> {
         (self.vertices, self.materials)
     }
 
+    /// What takes note of the vertices that are used, if it is worth while to leave out the others.
+    fn notes_used(&self, processor: &VertexProcessor) -> Option<UsedVertices> {
+        let count = self.vertices.len();
+        (count > SMALL_DRAW && processor.lights()).then(|| UsedVertices::none_of(count))
+    }
+
     /// How many parts they can be taken in.
     fn parts(&self) -> usize {
         parts(self.mode, self.elements.map_or(self.vertices.len(), <[u32]>::len))
@@ -98,7 +104,8 @@ impl Context {
     fn find_hits(&mut self, draw: &Draw<'_>) {
         let state = self.draw_state(draw);
         let mut processed = self.log.spare().vertices();
-        self.process(draw, Needs::default(), &mut processed);
+        let processor = self.processor(Needs::default());
+        processor.process(draw.of(), Pass::Both, self.level, &mut processed);
         let window = self.state.window_transform();
         let mut visitor = HitVisitor::new(&state, &processed, window, &mut self.selection);
         draw.assemble(&mut visitor);
@@ -108,11 +115,22 @@ impl Context {
 
     fn feed_back(&mut self, draw: &Draw<'_>) {
         let state = self.draw_state(draw);
-        let mut processed = self.log.spare().vertices();
-        let needs = Needs { window: true, eye: true, colors: true, textures: 1 };
-        self.process(draw, needs, &mut processed);
+        let [colors, textures] = self.feedback.parts_of_vertices();
+        let needs = Needs { window: true, eye: false, colors, textures: u32::from(textures) };
+        let processor = self.processor(needs);
         let window = self.state.window_transform();
         let parts = draw.parts();
+        let mut processed = self.log.spare().vertices();
+        let used = draw.notes_used(&processor);
+        processor.process(draw.of(), Pass::first(used.as_ref()), self.level, &mut processed);
+        if let Some(used) = &used {
+            luxel_parallel::tasks(parts.div_ceil(PIECES_RUN), &|run| {
+                let run = run * PIECES_RUN..parts.min((run + 1) * PIECES_RUN);
+                let mut visitor = FeedbackVisitor::noting(&state, &processed, window, used);
+                draw.assemble_parts(run, &mut visitor);
+            });
+            processor.process(draw.of(), Pass::Shades(used), self.level, &mut processed);
+        }
         // In waves, so that parts take no more memory than the buffer has room for, and a little.
         for start in (0..parts).step_by(FEEDBACK_WAVE) {
             if self.feedback.is_full() {
@@ -136,10 +154,8 @@ impl Context {
         let needs = Needs { window: true, eye: state.needs_eye(), colors: true, textures };
         let processor = self.processor(needs);
         let mut processed = self.log.spare().vertices();
-        let count = draw.vertices.len();
-        let used = (count > SMALL_DRAW && processor.lights()).then(|| UsedVertices::none_of(count));
-        let pass = if used.is_some() { Pass::Places } else { Pass::Both };
-        processor.process(draw.of(), pass, level, &mut processed);
+        let used = draw.notes_used(&processor);
+        processor.process(draw.of(), Pass::first(used.as_ref()), level, &mut processed);
         let mut batch = Batch::new(pipeline, viewport, scale, processed);
         let spare = self.log.spare();
         let runs = luxel_parallel::map(draw.parts(), PIECES_RUN, &|run| {
@@ -163,10 +179,6 @@ impl Context {
 
     fn processor(&self, needs: Needs) -> VertexProcessor {
         VertexProcessor::new(&self.state, &self.matrices, self.window_scale(), needs)
-    }
-
-    fn process(&self, draw: &Draw<'_>, needs: Needs, processed: &mut Processed) {
-        self.processor(needs).process(draw.of(), Pass::Both, self.level, processed);
     }
 
     /// The pipeline of a draw, and the viewport; `None` where nothing can be drawn.

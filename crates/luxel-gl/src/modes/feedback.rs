@@ -49,6 +49,14 @@ impl FeedbackMode {
         self.of
     }
 
+    /// Whether vertices are written with colours, and with texture coordinates.
+    pub(crate) fn parts_of_vertices(&self) -> [bool; 2] {
+        let of = self.type_of_values();
+        let has_textures =
+            matches!(of, FeedbackType::ThreeDColorTexture | FeedbackType::FourDColorTexture);
+        [has_textures || of == FeedbackType::ThreeDColor, has_textures]
+    }
+
     pub(crate) fn start(&mut self) {
         self.buffer = Some(self.empty());
     }

@@ -5,8 +5,8 @@ use crate::enums as gl;
 use crate::primitive::{Cut, Visitor, clip_polygon, clip_segment};
 use crate::raster::{DrawState, polygon_area};
 use crate::state::window::WindowTransform;
-use crate::vertex::{Processed, codes};
-use luxel_pick::{Feedback, FeedbackBuffer, FeedbackVertex};
+use crate::vertex::{Processed, UsedVertices, codes};
+use luxel_pick::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
 
 /// Writes primitives to the buffer.
 pub(crate) struct FeedbackVisitor<'a> {
@@ -14,6 +14,8 @@ pub(crate) struct FeedbackVisitor<'a> {
     vertices: &'a Processed,
     window: WindowTransform,
     buffer: FeedbackBuffer,
+    /// Takes note of vertices, where nothing is written.
+    used: Option<&'a UsedVertices>,
     /// What clipping leaves of a polygon, and where that lies in the window.
     polygon: Vec<Corner>,
     placed: Vec<FeedbackVertex>,
@@ -59,6 +61,12 @@ impl Plane {
     }
 }
 
+/// What a list has for a vertex; zeros where the buffer takes nothing of that kind, and there is no list.
+#[inline]
+fn value_of(list: &[[f32; 4]], vertex: usize) -> [f32; 4] {
+    list.get(vertex).copied().unwrap_or_default()
+}
+
 impl<'a> FeedbackVisitor<'a> {
     pub(crate) fn new(
         state: &'a DrawState,
@@ -66,7 +74,30 @@ impl<'a> FeedbackVisitor<'a> {
         window: WindowTransform,
         buffer: FeedbackBuffer,
     ) -> Self {
-        Self { state, vertices, window, buffer, polygon: Vec::new(), placed: Vec::new() }
+        let (polygon, placed) = (Vec::new(), Vec::new());
+        Self { state, vertices, window, buffer, used: None, polygon, placed }
+    }
+
+    /// Writes nothing, but takes note of the vertices whose colours would be written.
+    pub(crate) fn noting(
+        state: &'a DrawState,
+        vertices: &'a Processed,
+        window: WindowTransform,
+        used: &'a UsedVertices,
+    ) -> Self {
+        let nothing = FeedbackBuffer::from_bottom(FeedbackType::TwoD, 0);
+        Self { used: Some(used), ..Self::new(state, vertices, window, nothing) }
+    }
+
+    /// Takes note of a primitive's vertices, if that is all that is wanted.
+    #[inline]
+    fn notes(&self, corners: &[u32], provoking: u32) -> bool {
+        let Some(used) = self.used else { return false };
+        for &vertex in corners {
+            used.note(vertex);
+        }
+        used.note(provoking);
+        true
     }
 
     /// The buffer, with what has been written to it.
@@ -83,9 +114,9 @@ impl<'a> FeedbackVisitor<'a> {
         let wide = |values: [f32; 4]| values.map(f64::from);
         Corner {
             clip: wide(self.vertices.clip[at]),
-            eye: wide(self.vertices.eye[at]),
+            eye: wide(value_of(&self.vertices.eye, at)),
             color: wide(self.vertices.color(side, color_of as usize)),
-            texture: wide(self.vertices.tex_coords[0][at]),
+            texture: wide(value_of(&self.vertices.tex_coords[0], at)),
         }
     }
 
@@ -101,7 +132,7 @@ impl<'a> FeedbackVisitor<'a> {
         let at = vertex as usize;
         let color = self.vertices.color(side, color_of as usize);
         let clip = self.vertices.clip[at].map(f64::from);
-        self.in_window(clip, color, self.vertices.tex_coords[0][at])
+        self.in_window(clip, color, value_of(&self.vertices.tex_coords[0], at))
     }
 
     #[inline]
@@ -178,10 +209,15 @@ impl<'a> FeedbackVisitor<'a> {
 
 impl Visitor for FeedbackVisitor<'_> {
     fn point(&mut self, vertex: u32) {
-        self.put_point(vertex, vertex, 0);
+        if !self.notes(&[vertex], vertex) {
+            self.put_point(vertex, vertex, 0);
+        }
     }
 
     fn line(&mut self, ends: [u32; 2], begins: bool) {
+        if self.notes(&ends, ends[1]) {
+            return;
+        }
         let colors_of = if self.state.is_flat() { [ends[1]; 2] } else { ends };
         self.put_line(ends, colors_of, 0, begins);
     }
@@ -193,7 +229,7 @@ impl Visitor for FeedbackVisitor<'_> {
             return;
         }
         let facing = self.state.side(polygon_area(self.vertices, self.state.scale(), corners));
-        if self.state.is_culled(facing) {
+        if self.state.is_culled(facing) || self.notes(corners, provoking) {
             return;
         }
         let side = self.state.color_side(facing);

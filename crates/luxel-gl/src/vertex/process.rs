@@ -54,6 +54,11 @@ pub(crate) enum Pass<'u> {
 }
 
 impl Pass<'_> {
+    /// The first one, and the only one unless others take note of what is used.
+    pub(crate) fn first(used: Option<&UsedVertices>) -> Self {
+        if used.is_some() { Self::Places } else { Self::Both }
+    }
+
     fn writes_places(&self) -> bool {
         !matches!(self, Self::Shades(_))
     }

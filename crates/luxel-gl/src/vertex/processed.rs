@@ -198,10 +198,11 @@ impl Processed {
         runs
     }
 
-    /// The primary colour of a vertex on a side: 0 is the front.
+    /// The primary colour of a vertex on a side: 0 is the front. Zeros if there are no colours.
     pub(crate) fn color(&self, side: usize, vertex: usize) -> [f32; 4] {
-        let colors = &self.colors[side];
-        if colors.is_empty() { self.colors[0][vertex] } else { colors[vertex] }
+        let own = &self.colors[side];
+        let colors = if own.is_empty() { &self.colors[0] } else { own };
+        colors.get(vertex).copied().unwrap_or_default()
     }
 
     /// The secondary colour of a vertex; black if there is none.

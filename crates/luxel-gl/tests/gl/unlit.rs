@@ -1,7 +1,7 @@
-//! Vertices of long draws are lit where something is drawn of them (section 2.13): pictures don't show which ones are.
+//! Vertices of long draws are lit where something is drawn of them (section 2.13): pictures and feedback don't show which ones are.
 
 use crate::canvas::{canvas, gl, pixels};
-use luxel_gl::Context;
+use luxel_gl::{Context, Words};
 use std::f32::consts::TAU;
 
 const LIGHT_MODEL_TWO_SIDE: u32 = 0x0b52;
@@ -16,6 +16,7 @@ const SPECULAR: u32 = 0x1202;
 const SHININESS: u32 = 0x1601;
 const FLAT: u32 = 0x1d00;
 const LINE: u32 = 0x1b01;
+const _3D_COLOR: u32 = 0x0602;
 
 /// Rows and columns of a sphere.
 const ROWS: usize = 12;
@@ -41,7 +42,8 @@ fn sphere(context: &mut Context, together: usize) {
     }
 }
 
-fn picture(set: fn(&mut Context), together: usize) -> Vec<[u8; 4]> {
+/// The pixels of the sphere, and what feedback has of it.
+fn drawn(set: fn(&mut Context), together: usize) -> (Vec<[u8; 4]>, Vec<f32>) {
     let mut context = canvas(48, 40);
     for name in [gl::LIGHTING, gl::LIGHT0, gl::DEPTH_TEST] {
         context.enable(name);
@@ -53,12 +55,19 @@ fn picture(set: fn(&mut Context), together: usize) -> Vec<[u8; 4]> {
     set(&mut context);
     context.clear(gl::COLOR_BUFFER_BIT | gl::DEPTH_BUFFER_BIT);
     sphere(&mut context, together);
+    let pixels = pixels(&mut context);
+    context.feedback_buffer(1 << 16, _3D_COLOR);
+    context.render_mode(gl::FEEDBACK);
+    sphere(&mut context, together);
+    let Words::Feedback(values) = context.render_mode(gl::RENDER).words else {
+        panic!("no values")
+    };
     assert_eq!(context.get_error(), gl::NO_ERROR);
-    pixels(&mut context)
+    (pixels, values)
 }
 
 #[test]
-fn long_draws_have_the_pixels_of_short_ones_whatever_faces_away_or_lies_outside() {
+fn long_draws_have_the_pixels_and_values_of_short_ones_whatever_faces_away_or_lies_outside() {
     let sets: [fn(&mut Context); 6] = [
         |context| context.enable(gl::CULL_FACE),
         |context| {
@@ -81,8 +90,9 @@ fn long_draws_have_the_pixels_of_short_ones_whatever_faces_away_or_lies_outside(
         },
     ];
     for (number, set) in sets.into_iter().enumerate() {
-        let long = picture(set, ROWS * ROWS);
-        assert!(long.iter().filter(|pixel| pixel[..3] != [0; 3]).count() > 200, "{number}");
-        assert_eq!(long, picture(set, 10), "{number}");
+        let (pixels, values) = drawn(set, ROWS * ROWS);
+        assert!(pixels.iter().filter(|pixel| pixel[..3] != [0; 3]).count() > 200, "{number}");
+        assert!(values.len() > 500, "{number}: {}", values.len());
+        assert!((pixels, values) == drawn(set, 10), "{number}");
     }
 }
