@@ -56,6 +56,8 @@ fn drawn(set: fn(&mut Context), together: usize) -> (Vec<[u8; 4]>, Vec<f32>) {
     context.clear(gl::COLOR_BUFFER_BIT | gl::DEPTH_BUFFER_BIT);
     sphere(&mut context, together);
     let pixels = pixels(&mut context);
+    // In other colours than those that memory may still hold.
+    context.material(FRONT_AND_BACK, DIFFUSE, &[0.3, 0.8, 0.6, 1.0]);
     context.feedback_buffer(1 << 16, _3D_COLOR);
     context.render_mode(gl::FEEDBACK);
     sphere(&mut context, together);
