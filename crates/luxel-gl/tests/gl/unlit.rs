@@ -1,4 +1,5 @@
-//! Vertices of long draws are lit where something is drawn of them (section 2.13): pictures and feedback don't show which ones are.
+//! Vertices of long draws are lit where something is drawn of them (section 2.13): neither pictures nor feedback show
+//! which ones are.
 
 use crate::canvas::{canvas, gl, pixels};
 use luxel_gl::{Context, Words};
