@@ -28,12 +28,11 @@ fn compares_in_min_and_max<S: Simd>(simd: S) -> bool {
 fn transposed<S: Simd>(lines: [f32x8<S>; 8]) -> [f32x8<S>; 8] {
     let simd = lines[0].simd;
     let mut columns = lines;
-    let halves = lines.map(
-        #[inline(always)]
-        |line| simd.split_f32x8(line),
-    );
-    let [(a0, a4), (b0, b4), (c0, c4), (d0, d4), lower @ ..] = halves;
-    let [(e0, e4), (f0, f4), (g0, g4), (h0, h4)] = lower;
+    let [a, b, c, d, e, f, g, h] = lines;
+    let ((a0, a4), (b0, b4)) = (simd.split_f32x8(a), simd.split_f32x8(b));
+    let ((c0, c4), (d0, d4)) = (simd.split_f32x8(c), simd.split_f32x8(d));
+    let ((e0, e4), (f0, f4)) = (simd.split_f32x8(e), simd.split_f32x8(f));
+    let ((g0, g4), (h0, h4)) = (simd.split_f32x8(g), simd.split_f32x8(h));
     let upper_left = transposed_quarter([a0, b0, c0, d0]);
     let lower_left = transposed_quarter([e0, f0, g0, h0]);
     let upper_right = transposed_quarter([a4, b4, c4, d4]);
