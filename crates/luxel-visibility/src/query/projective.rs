@@ -6,8 +6,8 @@ use luxel_math::F64Lanes;
 
 /// Three values over a window that a fourth one divides, all linear forms: attributes of a primitive with perspective.
 ///
-/// They come from [`LinearForms`] and values w_i q_i at corners: sum w_i s_i over sum w_i q_i. In f64 throughout, so
-/// that a primitive whose corners lie far outside of the window has exact values within.
+/// They come from [`LinearForms`](super::LinearForms) and values w_i q_i at corners: sum w_i s_i over sum w_i q_i. In f64
+/// throughout, so that a primitive whose corners lie far outside of the window has exact values within.
 #[derive(Clone, Copy, Debug)]
 pub struct ProjectiveForms<D = f64> {
     a: [D; 4],
