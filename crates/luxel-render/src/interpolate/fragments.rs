@@ -6,7 +6,7 @@
 //! no bit.
 //!
 //! Why two and not one: a block of one triangle needs 22 broadcasts, which the processor reads for
-//! nothing beside the arithmetic; transposing sixteen records takes some 150 shuffles. A broadcast way
+//! nothing beside the arithmetic; transposing sixteen records takes some 200 shuffles. A broadcast way
 //! through n triangles costs n times the arithmetic instead, so from [`FEW`] on rows are cheaper.
 
 use crate::context::{AttributeMask, ShadingContext, needs};
