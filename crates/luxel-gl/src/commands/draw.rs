@@ -72,10 +72,9 @@ impl Context {
 
     /// Draws what a stream has.
     pub(crate) fn draw_stream(&mut self, stream: &Stream) {
-        let Stream { mode, is_listed, vertices, materials, .. } = stream;
+        let &Stream { mode, is_listed, ref vertices, ref materials, .. } = stream;
         let vertices = &vertices.view(&self.state.current);
-        let is_listed = *is_listed;
-        self.draw(&Draw { mode: *mode, is_listed, vertices, materials, elements: None });
+        self.draw(&Draw { mode, is_listed, vertices, materials, elements: None });
     }
 
     /// Draws vertices in the order of elements; `None` for one after the other.
@@ -101,6 +100,7 @@ impl Context {
         }
     }
 
+    /// Records hits (`GL_SELECT`).
     fn find_hits(&mut self, draw: &Draw<'_>) {
         let state = self.draw_state(draw);
         let mut processed = self.log.spare().vertices();
@@ -113,6 +113,7 @@ impl Context {
         self.log.spare().put_vertices(processed);
     }
 
+    /// Appends to the feedback buffer (`GL_FEEDBACK`).
     fn feed_back(&mut self, draw: &Draw<'_>) {
         let state = self.draw_state(draw);
         let [colors, textures] = self.feedback.parts_of_vertices();
@@ -147,6 +148,7 @@ impl Context {
         self.log.spare().put_vertices(processed);
     }
 
+    /// Puts a batch into the log (`GL_RENDER`).
     fn render(&mut self, draw: &Draw<'_>) {
         let Some((pipeline, viewport)) = self.begin_draw() else { return };
         let (state, scale, level) = (self.draw_state(draw), self.window_scale(), self.level);
@@ -223,11 +225,10 @@ impl Context {
         let mut vertices = Vertices::default();
         vertices.restart(&self.state.current);
         vertices.push(position);
-        let scale = self.window_scale();
         let textures = (1 << TEXTURE_UNITS) - 1;
         let needs = Needs { window: true, eye: true, colors: true, textures };
         let mut vertex = Processed::default();
-        VertexProcessor::new(&self.state, &self.matrices, scale, needs).process(
+        self.processor(needs).process(
             (&vertices.view(&self.state.current), &Materials::new(self.state.materials)),
             Pass::Both,
             self.level,
