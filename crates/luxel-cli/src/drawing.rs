@@ -58,8 +58,8 @@ enum Shown {
     Unclamped,
     /// Something clamped, of which the pixels aren't at hand.
     Clamped,
-    /// These pixels.
-    Bytes(Vec<[u8; 4]>),
+    /// This picture.
+    Bytes(Picture<[u8; 4]>),
 }
 
 impl Drawn {
@@ -68,7 +68,7 @@ impl Drawn {
         match &self.shown {
             Shown::Unclamped => false,
             Shown::Clamped => true,
-            Shown::Bytes(pixels) => burnt_out::is_suspicious(pixels),
+            Shown::Bytes(picture) => picture.may_be_burnt_out(),
         }
     }
 }
@@ -238,7 +238,7 @@ fn encode_rgba8(
     let mut drawn = Drawn { subdivision: picture.subdivision, ..Drawn::default() };
     write_rgba8(format, view.size, &picture.pixels, view.encoding, &mut drawn.bytes)
         .map_err(cannot_encode)?;
-    drawn.shown = Shown::Bytes(picture.pixels);
+    drawn.shown = Shown::Bytes(picture);
     stopwatch.lap("encode");
     Ok(drawn)
 }

@@ -1,6 +1,6 @@
 //! The exposure that suits a scene's own light, and the warning of pictures without one.
 
-use crate::frame::{RenderError, Renderer, ambient, placed_lights};
+use crate::frame::{Picture, RenderError, Renderer, ambient, placed_lights};
 use luxel_lighting::{Display, Environment, PlacedLight, Reflection, Tone};
 use luxel_math::elementary;
 use luxel_scene::{Camera, Lens, Object, Projection, Scene, Size, bodies};
@@ -138,6 +138,28 @@ const COUNTED: u32 = 160;
 const BURNT: f32 = 2.0;
 /// The same behind a tone curve, which ends at 1.
 const BURNT_BY_CURVE: f32 = 0.97;
+
+/// The share of covered pixels with a channel at its end from which on a picture may be burnt out.
+const SUSPICIOUS: f32 = 0.05;
+
+impl Picture<[u8; 4]> {
+    /// Whether so many bytes are at their end that [`Renderer::burnt_out`] is worth its time: of the covered
+    /// pixels more than a twentieth have a channel of 255.
+    #[must_use]
+    pub fn may_be_burnt_out(&self) -> bool {
+        let (mut covered, mut full) = (0_u32, 0_u32);
+        for &pixel in &self.pixels {
+            // Alpha highest. A word has a byte of 0 where a bit of 0x80 is left of (x - 0x01..) & !x (Mycroft 1987).
+            let pixel = u32::from_le_bytes(pixel);
+            let rest = !pixel | 0xff00_0000;
+            let is_covered = pixel >> 24 != 0;
+            let is_full = rest.wrapping_sub(0x0101_0101) & !rest & 0x8080_8080 != 0;
+            covered += u32::from(is_covered);
+            full += u32::from(is_covered & is_full);
+        }
+        full as f32 > SUSPICIOUS * covered as f32
+    }
+}
 
 impl Renderer {
     /// The share of the model's pixels that are burnt out: more than a stop brighter than white, or at the

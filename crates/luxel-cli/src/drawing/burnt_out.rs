@@ -5,15 +5,6 @@ use luxel::render::{RenderError, Renderer, View, auto_exposure};
 
 /// The share of the model from which on it is worth a warning.
 const SHARE: f32 = 0.1;
-/// The share of covered pixels with a channel at its end from which on it is worth a closer look.
-const SUSPICIOUS: f32 = 0.05;
-
-/// Whether so many of a picture's bytes are at their end that it may be burnt out.
-pub(crate) fn is_suspicious(pixels: &[[u8; 4]]) -> bool {
-    let covered = pixels.iter().filter(|pixel| pixel[3] > 0);
-    let full = covered.clone().filter(|[r, g, b, _]| [r, g, b].contains(&&255));
-    full.count() as f32 > SUSPICIOUS * covered.count() as f32
-}
 
 /// The warning, if much of the model is burnt out.
 pub(crate) fn warning(renderer: &Renderer, view: &View) -> Result<Option<String>, RenderError> {

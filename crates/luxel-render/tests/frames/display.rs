@@ -6,7 +6,9 @@ use crate::scenes::{
 };
 use luxel_lighting::{Display, Fog, FogLaw, Tone, encode_srgb};
 use luxel_math::{Rgb, SimdLevel};
-use luxel_render::{Edges, Feedback, Layer, Renderer, Shading, ShadingMode, SvgOptions, View};
+use luxel_render::{
+    Edges, Feedback, Layer, Picture, Renderer, Shading, ShadingMode, SvgOptions, View,
+};
 use luxel_scene::{Scene, Size, demos};
 
 fn renderer(scene: &Scene) -> Renderer {
@@ -216,4 +218,22 @@ fn vectors_are_exposed_as_pictures_are() {
             assert_eq!(([r, g, b], alpha), (shown, 1.0), "{tone:?}");
         }
     }
+}
+
+#[test]
+fn a_picture_may_be_burnt_out_by_its_covered_pixels_alone() {
+    let picture = |full: [u8; 4], of_it: usize| {
+        let mut pixels = vec![[254, 254, 254, 255]; 100];
+        pixels[..of_it].fill(full);
+        // However bright the background is.
+        pixels.extend([[255, 255, 255, 0]; 300]);
+        Picture { size: Size { width: 20, height: 20 }, pixels, ..Picture::default() }
+    };
+    for channel in 0..3 {
+        let mut full = [0, 0, 0, 1];
+        full[channel] = 255;
+        assert!(!picture(full, 5).may_be_burnt_out(), "a twentieth in channel {channel}");
+        assert!(picture(full, 6).may_be_burnt_out(), "more in channel {channel}");
+    }
+    assert!(!Picture::<[u8; 4]>::default().may_be_burnt_out());
 }
