@@ -200,10 +200,17 @@ fn check_count(size: Size, values: usize, channels: usize) -> Result<(), Picture
     }
 }
 
+/// Pixels that a thread encodes to 16 bits at a time: some 40 ns each.
+const ENCODED_AT_A_TIME: usize = 1 << 12;
+
 /// Encoded to 16 bits; alpha is never encoded.
 fn words(pixels: &[[f32; 4]], encoding: PictureEncoding) -> Vec<[u16; 4]> {
-    let word = |&[r, g, b, alpha]: &[f32; 4]| {
-        [encoding.word(r), encoding.word(g), encoding.word(b), PictureEncoding::None.word(alpha)]
-    };
-    pixels.iter().map(word).collect()
+    let mut words = vec![[0; 4]; pixels.len()];
+    luxel_parallel::fill(&mut words, ENCODED_AT_A_TIME, &|start, run| {
+        for (&[r, g, b, alpha], words) in pixels[start..].iter().zip(run) {
+            let alpha = PictureEncoding::None.word(alpha);
+            *words = [encoding.word(r), encoding.word(g), encoding.word(b), alpha];
+        }
+    });
+    words
 }
