@@ -1,7 +1,7 @@
 //! The same bytes from every number of threads and every instruction set.
 
 use crate::ledger::{many_lights, occluded};
-use crate::scenes::{execution, glass, matte, scene, view};
+use crate::scenes::{bytes, execution, glass, matte, scene, view};
 use luxel_lighting::Tone;
 use luxel_math::SimdLevel;
 use luxel_render::{
@@ -120,6 +120,23 @@ fn shadows_have_the_same_bytes_however_they_are_run() {
             let view = occluded(view.clone(), background == Background::Studio);
             check(&name, &scene, &view.with_background(background).with_ground(true));
         }
+    }
+}
+
+#[test]
+fn a_model_has_the_same_bytes_in_units_of_femtometres_and_of_light_years() {
+    let in_units = |unit: f32| {
+        let mut scene = demos::demo("teapot").unwrap();
+        for position in scene.meshes.iter_mut().flat_map(|mesh| &mut mesh.positions) {
+            *position = position.map(|side| side * unit);
+        }
+        let view = perspective(&scene, Size { width: 150, height: 90 });
+        bytes(&scene, &view)
+    };
+    let expected = in_units(1.0);
+    // Powers of two leave all digits as they are.
+    for exponent in [-50, -30, -10, 10, 30, 60] {
+        assert!(in_units(libm::exp2f(exponent as f32)) == expected, "2^{exponent}");
     }
 }
 
