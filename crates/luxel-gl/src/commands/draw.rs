@@ -6,7 +6,7 @@ use crate::context::{compile, outside_begin};
 use crate::enums as gl;
 use crate::fragment::TextureStages;
 use crate::limits::TEXTURE_UNITS;
-use crate::modes::{FEEDBACK_PARTS, FeedbackVisitor, HitVisitor};
+use crate::modes::{FEEDBACK_PARTS, FeedbackVisitor, HitVisitor, UsedVisitor};
 use crate::objects::list::Command;
 use crate::primitive::{Visitor, assemble, assemble_parts, parts};
 use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, PieceBuilder, Pieces, Pipeline};
@@ -127,7 +127,7 @@ impl Context {
         if let Some(used) = &used {
             luxel_parallel::tasks(parts.div_ceil(PIECES_RUN), &|run| {
                 let run = run * PIECES_RUN..parts.min((run + 1) * PIECES_RUN);
-                let mut visitor = FeedbackVisitor::noting(&state, &processed, window, used);
+                let mut visitor = UsedVisitor { state: &state, vertices: &processed, used };
                 draw.assemble_parts(run, &mut visitor);
             });
             processor.process(draw.of(), Pass::Shades(used), self.level, &mut processed);

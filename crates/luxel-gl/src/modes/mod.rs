@@ -8,4 +8,4 @@ mod tokens;
 pub(crate) use feedback::{FEEDBACK_PARTS, FeedbackMode};
 pub(crate) use hits::HitVisitor;
 pub(crate) use select::{NameChange, SelectionMode};
-pub(crate) use tokens::FeedbackVisitor;
+pub(crate) use tokens::{FeedbackVisitor, UsedVisitor};

@@ -6,7 +6,7 @@ use crate::primitive::{Cut, Visitor, clip_polygon, clip_segment};
 use crate::raster::{DrawState, polygon_area};
 use crate::state::window::WindowTransform;
 use crate::vertex::{Processed, UsedVertices, codes};
-use luxel_pick::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
+use luxel_pick::{Feedback, FeedbackBuffer, FeedbackVertex};
 
 /// Writes primitives to the buffer.
 pub(crate) struct FeedbackVisitor<'a> {
@@ -14,8 +14,6 @@ pub(crate) struct FeedbackVisitor<'a> {
     vertices: &'a Processed,
     window: WindowTransform,
     buffer: FeedbackBuffer,
-    /// Takes note of vertices, where nothing is written.
-    used: Option<&'a UsedVertices>,
     /// What clipping leaves of a polygon, and where that lies in the window.
     polygon: Vec<Corner>,
     placed: Vec<FeedbackVertex>,
@@ -67,6 +65,44 @@ fn value_of(list: &[[f32; 4]], vertex: usize) -> [f32; 4] {
     list.get(vertex).copied().unwrap_or_default()
 }
 
+/// What the corners of a polygon lie beyond, together, and the side that it shows; `None` if it is culled or all of
+/// it lies beyond one plane.
+#[inline]
+fn shown(state: &DrawState, vertices: &Processed, corners: &[u32]) -> Option<(u16, usize)> {
+    let code = |corner: u32| vertices.codes[corner as usize];
+    let all = corners.iter().fold(u16::MAX, |all, &corner| all & code(corner));
+    let any = corners.iter().fold(0, |any, &corner| any | code(corner));
+    if all & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
+        return None;
+    }
+    let facing = state.side(polygon_area(vertices, state.scale(), corners));
+    (!state.is_culled(facing)).then_some((any, facing))
+}
+
+/// Notes the vertices whose colours a [`FeedbackVisitor`] writes.
+pub(crate) struct UsedVisitor<'a> {
+    pub(crate) state: &'a DrawState,
+    pub(crate) vertices: &'a Processed,
+    pub(crate) used: &'a UsedVertices,
+}
+
+impl Visitor for UsedVisitor<'_> {
+    fn point(&mut self, vertex: u32) {
+        self.used.note(vertex);
+    }
+
+    fn line(&mut self, ends: [u32; 2], _begins: bool) {
+        ends.into_iter().for_each(|end| self.used.note(end));
+    }
+
+    fn polygon(&mut self, corners: &[u32], provoking: u32, _flagged: bool) {
+        if shown(self.state, self.vertices, corners).is_some() {
+            corners.iter().for_each(|&vertex| self.used.note(vertex));
+            self.used.note(provoking);
+        }
+    }
+}
+
 impl<'a> FeedbackVisitor<'a> {
     pub(crate) fn new(
         state: &'a DrawState,
@@ -75,29 +111,7 @@ impl<'a> FeedbackVisitor<'a> {
         buffer: FeedbackBuffer,
     ) -> Self {
         let (polygon, placed) = (Vec::new(), Vec::new());
-        Self { state, vertices, window, buffer, used: None, polygon, placed }
-    }
-
-    /// Writes nothing, but takes note of the vertices whose colours would be written.
-    pub(crate) fn noting(
-        state: &'a DrawState,
-        vertices: &'a Processed,
-        window: WindowTransform,
-        used: &'a UsedVertices,
-    ) -> Self {
-        let nothing = FeedbackBuffer::from_bottom(FeedbackType::TwoD, 0);
-        Self { used: Some(used), ..Self::new(state, vertices, window, nothing) }
-    }
-
-    /// Takes note of a primitive's vertices, if that is all that is wanted.
-    #[inline]
-    fn notes(&self, corners: &[u32], provoking: u32) -> bool {
-        let Some(used) = self.used else { return false };
-        for &vertex in corners {
-            used.note(vertex);
-        }
-        used.note(provoking);
-        true
+        Self { state, vertices, window, buffer, polygon, placed }
     }
 
     /// The buffer, with what has been written to it.
@@ -209,29 +223,16 @@ impl<'a> FeedbackVisitor<'a> {
 
 impl Visitor for FeedbackVisitor<'_> {
     fn point(&mut self, vertex: u32) {
-        if !self.notes(&[vertex], vertex) {
-            self.put_point(vertex, vertex, 0);
-        }
+        self.put_point(vertex, vertex, 0);
     }
 
     fn line(&mut self, ends: [u32; 2], begins: bool) {
-        if self.notes(&ends, ends[1]) {
-            return;
-        }
         let colors_of = if self.state.is_flat() { [ends[1]; 2] } else { ends };
         self.put_line(ends, colors_of, 0, begins);
     }
 
     fn polygon(&mut self, corners: &[u32], provoking: u32, flagged: bool) {
-        let all = corners.iter().fold(u16::MAX, |all, &corner| all & self.code(corner));
-        let any = corners.iter().fold(0, |any, &corner| any | self.code(corner));
-        if all & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
-            return;
-        }
-        let facing = self.state.side(polygon_area(self.vertices, self.state.scale(), corners));
-        if self.state.is_culled(facing) || self.notes(corners, provoking) {
-            return;
-        }
+        let Some((any, facing)) = shown(self.state, self.vertices, corners) else { return };
         let side = self.state.color_side(facing);
         let flat = self.state.is_flat();
         let color_of = |vertex: u32| if flat { provoking } else { vertex };
