@@ -21,7 +21,8 @@ use std::sync::Arc;
 /// Primitives that become feedback before it is appended to the buffer.
 const FEEDBACK_WAVE: usize = FEEDBACK_PARTS * PIECES_RUN;
 
-/// Draws of so few vertices light them whether they are used or not.
+/// Draws of so few vertices light them whether they are used or not: with 24 to 60, to leave out what isn't used takes
+/// 0.95 to 0.99 of the time where that is half of them, and 1.04 to 1.16 where there is nothing to leave out.
 const SMALL_DRAW: usize = 64;
 
 /// Primitives of vertices.
