@@ -45,21 +45,9 @@ impl<'a> HitVisitor<'a> {
         }
     }
 
-    /// What all of some vertices lie beyond, and what any does.
-    #[inline]
-    fn codes(&self, corners: &[u32]) -> (u16, u16) {
-        corners.iter().fold((u16::MAX, 0), |(all, any), corner| {
-            let code = self.vertices.codes[*corner as usize];
-            (all & code, any | code)
-        })
-    }
-
     /// A point, a line or a triangle.
     fn primitive(&mut self, corners: &[u32]) {
-        let (all, any) = self.codes(corners);
-        if all & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
-            return;
-        }
+        let Some(any) = self.vertices.codes_if_seen(corners) else { return };
         let clip = |corner: &u32| self.vertices.clip[*corner as usize];
         let planes = self.state.planes();
         let beyond = planes.iter().any(|(number, _)| any >> (codes::FIRST_PLANE + number) & 1 == 1);
@@ -137,7 +125,8 @@ impl Visitor for HitVisitor<'_> {
     #[inline]
     fn polygon(&mut self, corners: &[u32], _: u32, _: bool) {
         self.change_names(corners[0]);
-        let (all, _) = self.codes(corners);
+        let code = |corner: &u32| self.vertices.codes[*corner as usize];
+        let all = corners.iter().fold(u16::MAX, |all, corner| all & code(corner));
         if all & codes::OUTSIDE == 0 {
             self.filled(corners);
         }

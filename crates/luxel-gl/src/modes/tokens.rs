@@ -65,42 +65,12 @@ fn value_of(list: &[[f32; 4]], vertex: usize) -> [f32; 4] {
     list.get(vertex).copied().unwrap_or_default()
 }
 
-/// What the corners of a polygon lie beyond, together, and the side that it shows; `None` if it is culled or all of
-/// it lies beyond one plane.
+/// What the corners of a polygon lie beyond, together, and the side that it shows; `None` if it is culled or out of sight.
 #[inline]
 fn shown(state: &DrawState, vertices: &Processed, corners: &[u32]) -> Option<(u16, usize)> {
-    let code = |corner: u32| vertices.codes[corner as usize];
-    let all = corners.iter().fold(u16::MAX, |all, &corner| all & code(corner));
-    let any = corners.iter().fold(0, |any, &corner| any | code(corner));
-    if all & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
-        return None;
-    }
-    let facing = state.side(polygon_area(vertices, state.scale(), corners));
-    (!state.is_culled(facing)).then_some((any, facing))
-}
-
-/// Notes the vertices whose colours a [`FeedbackVisitor`] writes.
-pub(crate) struct UsedVisitor<'a> {
-    pub(crate) state: &'a DrawState,
-    pub(crate) vertices: &'a Processed,
-    pub(crate) used: &'a UsedVertices,
-}
-
-impl Visitor for UsedVisitor<'_> {
-    fn point(&mut self, vertex: u32) {
-        self.used.note(vertex);
-    }
-
-    fn line(&mut self, ends: [u32; 2], _begins: bool) {
-        ends.into_iter().for_each(|end| self.used.note(end));
-    }
-
-    fn polygon(&mut self, corners: &[u32], provoking: u32, _flagged: bool) {
-        if shown(self.state, self.vertices, corners).is_some() {
-            corners.iter().for_each(|&vertex| self.used.note(vertex));
-            self.used.note(provoking);
-        }
-    }
+    let any = vertices.codes_if_seen(corners)?;
+    let side = state.side(polygon_area(vertices, state.scale(), corners));
+    (!state.is_culled(side)).then_some((any, side))
 }
 
 impl<'a> FeedbackVisitor<'a> {
@@ -254,6 +224,30 @@ impl Visitor for FeedbackVisitor<'_> {
                 self.put_line([vertex, next], colors_of, side, begins);
                 begins = false;
             }
+        }
+    }
+}
+
+/// Notes the vertices whose colours a [`FeedbackVisitor`] writes.
+pub(crate) struct UsedVisitor<'a> {
+    pub(crate) state: &'a DrawState,
+    pub(crate) vertices: &'a Processed,
+    pub(crate) used: &'a UsedVertices,
+}
+
+impl Visitor for UsedVisitor<'_> {
+    fn point(&mut self, vertex: u32) {
+        self.used.note(vertex);
+    }
+
+    fn line(&mut self, ends: [u32; 2], _begins: bool) {
+        ends.into_iter().for_each(|end| self.used.note(end));
+    }
+
+    fn polygon(&mut self, corners: &[u32], provoking: u32, _flagged: bool) {
+        if shown(self.state, self.vertices, corners).is_some() {
+            corners.iter().for_each(|&vertex| self.used.note(vertex));
+            self.used.note(provoking);
         }
     }
 }

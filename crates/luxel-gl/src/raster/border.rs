@@ -146,13 +146,7 @@ impl PieceBuilder<'_> {
         let offset = self.state.offsets[usize::from(lines)]
             .map(|[factor, units]| [factor, units, self.slope(corners)]);
         let side = self.state.color_side(side) as u8;
-        let (all, any) = corners.iter().fold((u16::MAX, 0), |(all, any), corner| {
-            let code = self.codes(*corner);
-            (all & code, any | code)
-        });
-        if all & codes::OUTSIDE != 0 || any & codes::NOT_FINITE != 0 {
-            return;
-        }
+        let Some(any) = self.batch.vertices.codes_if_seen(corners) else { return };
         let is_border = |vertex: u32| !flagged || self.batch.vertices.edge_flag(vertex as usize);
         if any & (codes::OUTSIDE | codes::NOT_HELD) == 0 {
             let mut begins = true;

@@ -118,6 +118,17 @@ pub(super) struct ProcessedRun<'a> {
 }
 
 impl Processed {
+    /// What corners of a primitive lie beyond, together; `None` if nothing of it is seen: all of them lie beyond one
+    /// plane, or one isn't finite.
+    #[inline]
+    pub(crate) fn codes_if_seen(&self, corners: &[u32]) -> Option<u16> {
+        let (all, any) = corners.iter().fold((u16::MAX, 0), |(all, any), corner| {
+            let code = self.codes[*corner as usize];
+            (all & code, any | code)
+        });
+        (all & codes::OUTSIDE == 0 && any & codes::NOT_FINITE == 0).then_some(any)
+    }
+
     /// Gives the lists that are needed room for so many vertices, and empties the others. Values are to be written.
     pub(super) fn resize(&mut self, count: usize, lists: &Lists) {
         fn sized<T: Clone + Default>(list: &mut Vec<T>, count: usize, needed: bool) {
