@@ -149,7 +149,7 @@ impl Picture<[u8; 4]> {
     pub fn may_be_burnt_out(&self) -> bool {
         let (mut covered, mut full) = (0_u32, 0_u32);
         for &pixel in &self.pixels {
-            // Alpha highest. A word has a byte of 0 where a bit of 0x80 is left of (x - 0x01..) & !x (Mycroft 1987).
+            // Alpha is highest. A byte of x is 0 if (x - 0x01010101) & !x has a bit of 0x80808080 (Mycroft 1987).
             let pixel = u32::from_le_bytes(pixel);
             let rest = !pixel | 0xff00_0000;
             let is_covered = pixel >> 24 != 0;

@@ -200,7 +200,7 @@ fn check_count(size: Size, values: usize, channels: usize) -> Result<(), Picture
     }
 }
 
-/// Pixels that a thread encodes to 16 bits at a time: some 40 ns each.
+/// Pixels that a thread encodes to 16 bits at a time, within about half a millisecond.
 const ENCODED_AT_A_TIME: usize = 1 << 12;
 
 /// Encoded to 16 bits; alpha is never encoded.
