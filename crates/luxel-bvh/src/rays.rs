@@ -8,6 +8,8 @@ use crate::traverse::{
     trace_batch, trace_here, trace_unusual, trace_usual,
 };
 use luxel_math::{Level, SimdLevel, dispatch_long};
+use std::cell::Cell;
+use std::ops::ControlFlow;
 
 /// A tree with the positions that it was built over or last refitted to: casts rays.
 ///
@@ -67,27 +69,44 @@ impl<'m> MeshRays<'m> {
     #[must_use]
     pub fn all(&self, ray: &Ray) -> Vec<RayHit> {
         let mut hits = Vec::new();
+        self.each_hit(ray, |hit| {
+            hits.push(hit);
+            ControlFlow::Continue(())
+        });
+        hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.triangle.cmp(&b.triangle)));
+        hits
+    }
+
+    /// Visits the hits of a ray, in no particular order, until `visit` breaks.
+    pub fn each_hit(&self, ray: &Ray, mut visit: impl FnMut(RayHit) -> ControlFlow<()>) {
         if !ray.is_sound() {
-            return hits;
+            return;
         }
         let target = &self.0;
         let (ray, scale) = &ray.scaled();
         let [x, y, z, _] = target.largest;
         let slabs = SlabTest::new(ray.origin, ray.direction, ray.range[0], [x, y, z]);
         let sheared = ShearedRay::new(ray.origin, ray.direction);
+        // What is left to visit then passes quickly: no box is hit any more.
+        let is_over = Cell::new(false);
         target.tree.visit_blocks(
-            |node| slabs.hit_children_at(target.level, node, ray.range[1]).1,
+            |node| match is_over.get() {
+                true => 0,
+                false => slabs.hit_children_at(target.level, node, ray.range[1]).1,
+            },
             |block| {
+                if is_over.get() {
+                    return;
+                }
                 let (distances, mut bits) = dispatch_long!(target.level, simd => intersect_block(simd, block, target.positions, &sheared, ray.range));
-                while bits != 0 {
+                while bits != 0 && !is_over.get() {
                     let lane = bits.trailing_zeros() as usize;
                     bits &= bits - 1;
-                    hits.push(target.hit_on(&sheared, block, lane, distances[lane] * scale));
+                    let hit = target.hit_on(&sheared, block, lane, distances[lane] * scale);
+                    is_over.set(visit(hit).is_break());
                 }
             },
         );
-        hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.triangle.cmp(&b.triangle)));
-        hits
     }
 
     /// The closest hit of each of many rays, on all threads of the current pool. Consecutive rays that

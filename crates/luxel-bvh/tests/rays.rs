@@ -9,6 +9,7 @@ use luxel_bvh::{Bvh, MeshRays, Quality, Ray, RayHit};
 use luxel_math::SimdLevel;
 use luxel_scene::Mesh;
 use proptest::prelude::*;
+use std::ops::ControlFlow;
 
 /// What is wrong with a hit, by testing every triangle; within rounding of an edge both answers are
 /// right.
@@ -98,6 +99,37 @@ fn all_hits_of_a_closed_mesh_are_even_in_number_from_outside_and_sorted() {
         assert!(hits.is_sorted_by(|a, b| a.t <= b.t));
         assert_eq!(hits.len() % 2, 0, "{ray:?} {hits:?}");
     }
+}
+
+#[test]
+fn visiting_hits_finds_all_and_ends_at_the_one_that_breaks() {
+    let mesh = bumpy_sphere(20);
+    let bvh = Bvh::build(&mesh.positions, &mesh.triangles, Quality::Fast).unwrap();
+    let rays = MeshRays::new(&bvh, &mesh.positions);
+    let mut random = Random(5);
+    let mut several = 0;
+    for _ in 0..2000 {
+        let (from, through): ([f32; 3], [f32; 3]) = (random.point(3.0), random.point(0.5));
+        let direction = [0, 1, 2].map(|axis| through[axis] - from[axis]);
+        let ray = Ray::new(from, direction);
+        let all = rays.all(&ray);
+        let visited = |most: usize| {
+            let mut hits = Vec::new();
+            rays.each_hit(&ray, |hit| {
+                hits.push(hit);
+                if hits.len() == most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            });
+            hits
+        };
+        let mut hits = visited(usize::MAX);
+        for most in 1..hits.len() {
+            assert_eq!(visited(most), hits[..most], "{ray:?}");
+        }
+        several += usize::from(hits.len() > 1);
+        hits.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.triangle.cmp(&b.triangle)));
+        assert_eq!(hits, all, "{ray:?}");
+    }
+    assert!(several > 100, "{several}");
 }
 
 /// Rays from outside to points on the closed mesh's edges and vertices must not come out at the

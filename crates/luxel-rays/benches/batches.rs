@@ -1,12 +1,17 @@
 //! Times single and batched rays through scenes of few and of many objects: up to how many objects batches pay.
 //!
 //! `cargo bench -p luxel-rays`, with `RAYON_NUM_THREADS=1` for one thread. A row is a number of balls side by
-//! side, which have 80 000 triangles together, and the rays: a camera's, row by row, or scattered ones.
+//! side, which have 80 000 triangles together, and the rays: a camera's, row by row, or scattered ones. Then the light
+//! that comes along a camera's rays, two blocks of 4x4 pixels together as the renderer traces them, through balls that
+//! are opaque and through half transparent ones.
 
 #![allow(clippy::unwrap_used, reason = "a benchmark")]
 
-use luxel_rays::{SceneRays, WorldRay};
-use luxel_scene::{DMat4, DVec3, MaterialId, MeshId, Node, Part, Scene, SceneMaterial, primitives};
+use luxel_math::LANES;
+use luxel_rays::{RayLanes, SceneRays, Spread, WorldRay};
+use luxel_scene::{
+    AlphaMode, DMat4, DVec3, MaterialId, MeshId, Node, Part, Scene, SceneMaterial, primitives,
+};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -14,7 +19,7 @@ const ROUNDS: usize = 15;
 const SIDE: u32 = 256;
 
 /// Balls on a square grid that is two units wide, of one mesh.
-fn balls(count: usize) -> Scene {
+fn balls(count: usize, alpha_mode: AlphaMode) -> Scene {
     let across = (1..).find(|side| side * side >= count).unwrap_or(1);
     let radius = 0.9 / across as f64;
     let frequency = (80_000.0 / count as f64 / 20.0).sqrt() as u32;
@@ -30,7 +35,7 @@ fn balls(count: usize) -> Scene {
     };
     Scene {
         meshes: vec![mesh].into(),
-        materials: vec![SceneMaterial::default()],
+        materials: vec![SceneMaterial { alpha_mode, opacity: 0.5, ..SceneMaterial::default() }],
         nodes: (0..count).map(node).collect(),
         ..Scene::default()
     }
@@ -42,6 +47,20 @@ fn camera() -> Vec<WorldRay> {
     (0..SIDE * SIDE)
         .map(|pixel| WorldRay::new(eye, DVec3::new(at(pixel % SIDE), at(pixel / SIDE), 0.0) - eye))
         .collect()
+}
+
+/// Rays of a camera, sixteen neighbours side by side.
+fn blocks(rays: &[WorldRay]) -> Vec<RayLanes> {
+    let across = SIDE / 4;
+    let block = |block: u32| {
+        let mut lanes = RayLanes::NONE;
+        for lane in 0..LANES as u32 {
+            let [x, y] = [block % across * 4 + lane % 4, block / across * 4 + lane / 4];
+            lanes.put(lane as usize, &rays[(y * SIDE + x) as usize]);
+        }
+        lanes
+    };
+    (0..across * across).map(block).collect()
 }
 
 fn scattered() -> Vec<WorldRay> {
@@ -74,13 +93,36 @@ fn time(work: impl Fn() -> usize) -> (f64, usize) {
 
 fn main() {
     for count in [1, 2, 4, 6, 8, 12, 16, 32, 100] {
-        let scene = SceneRays::new(balls(count)).unwrap();
+        let scene = SceneRays::new(balls(count, AlphaMode::Opaque)).unwrap();
         for (kind, rays) in [("camera", camera()), ("scattered", scattered())] {
             let (alone, hits) = time(|| rays.iter().filter_map(|ray| scene.closest(ray)).count());
             let (together, _) = time(|| scene.closest_of_each(&rays).iter().flatten().count());
             let ratio = together / alone;
             println!(
                 "{count:4} {kind:10} alone {alone:7.2} ms, at once {together:7.2} ms, {ratio:.2}, {hits} hits"
+            );
+        }
+    }
+    for (kind, alpha_mode) in [("opaque", AlphaMode::Opaque), ("glass", AlphaMode::Blend)] {
+        for count in [1, 4, 16, 100, 1024] {
+            let scene = SceneRays::new(balls(count, alpha_mode)).unwrap();
+            let rays = camera();
+            let blocks = blocks(&rays);
+            let is_dark = |through: &&f32| **through < 1.0;
+            let (alone, dark) =
+                time(|| rays.iter().filter(|ray| scene.transmittance(ray) < 1.0).count());
+            let (together, _) = time(|| {
+                let mut count = 0;
+                for two in blocks.chunks_exact(2) {
+                    let mut through = [[0.0; LANES]; 2];
+                    scene.transmittance_of_lanes(two, Spread::Narrow, &mut through);
+                    count += through.as_flattened().iter().filter(is_dark).count();
+                }
+                count
+            });
+            let ratio = together / alone;
+            println!(
+                "{count:4} {kind:10} alone {alone:7.2} ms, at once {together:7.2} ms, {ratio:.2}, {dark} dark"
             );
         }
     }

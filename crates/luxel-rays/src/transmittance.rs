@@ -3,12 +3,14 @@
 use crate::body_tree::BodyTree;
 use crate::ray_lanes::{RayLanes, Spread};
 use crate::scene_rays::SceneRays;
-use crate::world_ray::WorldRay;
+use crate::world_ray::{RebasedRay, WorldRay};
 use glam::DVec3;
 use luxel_bvh::{Ray, RayColumns, RayHit};
 use luxel_math::prelude::*;
 use luxel_math::{LANES, dispatch_long, f32x16, lanes_of};
 use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::ops::ControlFlow;
 
 thread_local! {
     static BATCH: RefCell<Batch> = RefCell::new(Batch::default());
@@ -17,20 +19,49 @@ thread_local! {
 /// What [`SceneRays::transmittance_of_lanes`] keeps from call to call.
 #[derive(Default)]
 struct Batch {
-    /// The rays near one body, their places among all, and which of them are blocked.
+    /// The bodies near rays that go all ways, and those near any that light shines through.
+    bodies: Vec<usize>,
+    translucent: Vec<usize>,
+    hits: BodyHits,
+    /// What keeps a part of the light, and the place of its ray among all.
+    blockers: Vec<(usize, Blocker)>,
+}
+
+/// Which rays hit a body.
+#[derive(Default)]
+struct BodyHits {
+    /// The rays near the body, their numbers among all, and the lanes that hit it.
     columns: Vec<RayColumns>,
     numbers: Vec<u32>,
-    blocked: Vec<u32>,
-    /// The same one after the other, if they go all ways.
-    near: Vec<Ray>,
     lanes: Vec<u32>,
+    /// The same one after the other, if they go all ways; their places among all, and which hit it.
+    rows: Vec<Ray>,
+    places: Vec<u32>,
     hits: Vec<bool>,
-    /// The bodies near rays that go all ways.
-    bodies: Vec<usize>,
+}
+
+impl BodyHits {
+    /// Visits the rays that hit: the number and the lane of each.
+    #[inline]
+    fn each(&self, mut visit: impl FnMut(usize, usize)) {
+        for (&number, &lanes) in self.numbers.iter().zip(&self.lanes) {
+            for lane in lanes_of(lanes) {
+                visit(number as usize, lane);
+            }
+        }
+        for (&place, is_hit) in self.places.iter().zip(&self.hits) {
+            if *is_hit {
+                visit(place as usize / LANES, place as usize % LANES);
+            }
+        }
+    }
 }
 
 /// Up to so many bodies are each asked for all rays that go all ways; among more, each ray finds its own.
 const FEW: usize = 8;
+
+/// So many surfaces in the way of a batch are remembered, in less than 3 MB a thread; of more, each ray remembers its own.
+const MANY: usize = 1 << 16;
 
 /// A surface in the way of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,25 +86,18 @@ impl SceneRays {
         let mut is_blocked = false;
         let mut weakening = Vec::new();
         self.each_body(ray, |body, farthest| {
-            let Some(near) = self.rebased_ray(ray, body).filter(|_| !is_blocked) else {
-                return farthest;
-            };
-            if self.is_opaque(body) {
-                is_blocked = self.rays(body).any(&near.ray);
-            } else {
-                let before = weakening.len();
-                let hits = self.rays(body).all(&near.ray);
-                weakening.extend(hits.iter().filter_map(|hit| {
-                    self.blocker(body, near.start + near.scale * f64::from(hit.t), hit)
-                }));
-                is_blocked = weakening[before..].iter().any(|blocker| blocker.alpha >= 1.0);
-            }
+            is_blocked = is_blocked
+                || if self.is_opaque(body) {
+                    self.rebased_ray(ray, body).is_some_and(|near| self.rays(body).any(&near.ray))
+                } else {
+                    self.is_blocked_by(body, ray, |blocker| weakening.push(blocker))
+                };
             if is_blocked { f64::NEG_INFINITY } else { farthest }
         });
         if is_blocked {
             return 0.0;
         }
-        sort(&mut weakening);
+        weakening.sort_by(nearest_first);
         weakening.iter().fold(1.0, |through, blocker| through * (1.0 - blocker.alpha))
     }
 
@@ -91,28 +115,33 @@ impl SceneRays {
         assert_eq!(rays.len(), through.len(), "each ray has an answer");
         through.fill([1.0; LANES]);
         BATCH.with_borrow_mut(|batch| {
-            let of = (rays, spread);
-            if self.bodies() == 1 {
-                self.take_light(0, of, through, batch);
-                return;
-            }
+            let Batch { bodies, translucent, hits, blockers } = batch;
+            translucent.clear();
+            let mut take_light = |body| {
+                if self.is_opaque(body) {
+                    self.hits_of(body, (rays, spread), through, hits);
+                    hits.each(|number, lane| through[number][lane] = 0.0);
+                } else {
+                    translucent.push(body);
+                }
+            };
             let is_shared = match spread {
+                _ if self.bodies() == 1 => {
+                    take_light(0);
+                    true
+                }
                 Spread::Narrow => {
-                    let all = rays.iter().flat_map(RayLanes::rays);
-                    self.each_body_near(all, |body| self.take_light(body, of, through, batch))
+                    self.each_body_near(rays.iter().flat_map(RayLanes::rays), take_light)
                 }
                 Spread::Wide => {
-                    let mut bodies = std::mem::take(&mut batch.bodies);
-                    self.bodies_around(rays, &mut bodies);
+                    self.bodies_around(rays, bodies);
                     let is_few = bodies.len() <= FEW;
-                    for &body in bodies.iter().filter(|_| is_few) {
-                        self.take_light(body, of, through, batch);
-                    }
-                    batch.bodies = bodies;
+                    bodies.iter().filter(|_| is_few).for_each(|&body| take_light(body));
                     is_few
                 }
             };
-            if !is_shared {
+            // Rays that opaque bodies block need no look at what keeps a part.
+            if !is_shared || !self.weaken(translucent, (rays, spread), through, (hits, blockers)) {
                 for (rays, through) in rays.iter().zip(through) {
                     for lane in lanes_of(rays.lanes) {
                         through[lane] = self.transmittance(&rays.ray(lane));
@@ -122,49 +151,87 @@ impl SceneRays {
         });
     }
 
-    /// What a body leaves of the light along rays.
-    fn take_light(
+    /// Takes what translucent bodies keep from the light along rays. Returns whether it did: too many surfaces
+    /// in the way aren't remembered.
+    fn weaken(
+        &self,
+        bodies: &[usize],
+        (rays, spread): (&[RayLanes], Spread),
+        through: &mut [[f32; LANES]],
+        (hits, blockers): (&mut BodyHits, &mut Vec<(usize, Blocker)>),
+    ) -> bool {
+        blockers.clear();
+        for &body in bodies {
+            self.hits_of(body, (rays, spread), through, hits);
+            hits.each(|number, lane| {
+                let place = number * LANES + lane;
+                let weaken = |blocker| {
+                    if blockers.len() <= MANY {
+                        blockers.push((place, blocker));
+                    }
+                };
+                if self.is_blocked_by(body, &rays[number].ray(lane), weaken) {
+                    through[number][lane] = 0.0;
+                }
+            });
+            if blockers.len() > MANY {
+                return false;
+            }
+        }
+        blockers.sort_by(|(a, near), (b, far)| a.cmp(b).then(nearest_first(near, far)));
+        for (place, blocker) in &*blockers {
+            through[place / LANES][place % LANES] *= 1.0 - blocker.alpha;
+        }
+        true
+    }
+
+    /// Finds which of the rays that light is left of hit a body.
+    fn hits_of(
         &self,
         body: usize,
         (rays, spread): (&[RayLanes], Spread),
-        through: &mut [[f32; LANES]],
-        Batch { columns, numbers, blocked, near, lanes, hits, .. }: &mut Batch,
+        through: &[[f32; LANES]],
+        hits: &mut BodyHits,
     ) {
-        let tree = self.tree(body);
-        let Some(sphere) = self.sphere(body) else { return };
+        let BodyHits { columns, numbers, lanes, rows, places, hits } = hits;
         columns.clear();
         numbers.clear();
+        lanes.clear();
+        places.clear();
+        let tree = self.tree(body);
+        let Some(sphere) = self.sphere(body) else { return };
         dispatch_long!(self.level, simd => near_columns(simd, self, (body, &tree, sphere), (rays, through), (columns, numbers)));
-        let is_opaque = self.is_opaque(body);
-        if is_opaque && spread == Spread::Wide {
-            near.clear();
-            lanes.clear();
-            dispatch_long!(self.level, simd => rows_of(simd, (columns, numbers), (near, lanes)));
-            hits.resize(near.len(), false);
-            self.rays(body).any_of_incoherent(near, hits);
-            for (&lane, is_hit) in lanes.iter().zip(&*hits) {
-                if *is_hit {
-                    through[lane as usize / LANES][lane as usize % LANES] = 0.0;
-                }
+        match spread {
+            Spread::Narrow => {
+                lanes.resize(columns.len(), 0);
+                self.rays(body).any_of_columns(columns, lanes);
             }
-            return;
-        }
-        if is_opaque {
-            blocked.resize(columns.len(), 0);
-            self.rays(body).any_of_columns(columns, blocked);
-            for (&number, blocked) in numbers.iter().zip(&*blocked) {
-                for lane in lanes_of(*blocked) {
-                    through[number as usize][lane] = 0.0;
-                }
-            }
-        } else {
-            for (&number, columns) in numbers.iter().zip(&*columns) {
-                for lane in lanes_of(columns.lanes) {
-                    through[number as usize][lane] =
-                        self.transmittance(&rays[number as usize].ray(lane));
-                }
+            Spread::Wide => {
+                rows.clear();
+                dispatch_long!(self.level, simd => rows_of(simd, (columns, numbers), (rows, places)));
+                hits.resize(rows.len(), false);
+                self.rays(body).any_of_incoherent(rows, hits);
             }
         }
+    }
+
+    /// Whether one of a translucent body's surfaces keeps all light of a ray; `weaken` is called with those
+    /// that keep a part, of a blocked ray not with all.
+    fn is_blocked_by(&self, body: usize, ray: &WorldRay, mut weaken: impl FnMut(Blocker)) -> bool {
+        let Some(near) = self.rebased_ray(ray, body) else { return false };
+        let mut is_blocked = false;
+        self.rays(body).each_hit(&near.ray, |hit| {
+            match self.blocker(body, &near, &hit) {
+                Some(blocker) if blocker.alpha >= 1.0 => {
+                    is_blocked = true;
+                    return ControlFlow::Break(());
+                }
+                Some(blocker) => weaken(blocker),
+                None => {}
+            }
+            ControlFlow::Continue(())
+        });
+        is_blocked
     }
 
     /// The surfaces in the way of a ray, nearest first: those that make [`SceneRays::transmittance`] less
@@ -175,18 +242,16 @@ impl SceneRays {
         self.each_body(ray, |body, farthest| {
             if let Some(near) = self.rebased_ray(ray, body) {
                 let hits = self.rays(body).all(&near.ray);
-                blockers.extend(hits.iter().filter_map(|hit| {
-                    self.blocker(body, near.start + near.scale * f64::from(hit.t), hit)
-                }));
+                blockers.extend(hits.iter().filter_map(|hit| self.blocker(body, &near, hit)));
             }
             farthest
         });
-        sort(&mut blockers);
+        blockers.sort_by(nearest_first);
         blockers
     }
 
     /// What a hit triangle keeps of the light; `None` where it has a hole.
-    fn blocker(&self, body: usize, t: f64, hit: &RayHit) -> Option<Blocker> {
+    fn blocker(&self, body: usize, near: &RebasedRay, hit: &RayHit) -> Option<Blocker> {
         let RayHit { triangle, barycentric, .. } = *hit;
         let mesh = self.mesh(body);
         let part = mesh.parts.partition_point(|part| part.first <= triangle).saturating_sub(1);
@@ -195,6 +260,7 @@ impl SceneRays {
             scene.opacity(mesh, triangle, barycentric, &scene.materials[part.material.index()])
         });
         let (object, triangle) = self.in_object(body, triangle);
+        let t = near.start + near.scale * f64::from(hit.t);
         (alpha > 0.0).then_some(Blocker { object, triangle, t, alpha })
     }
 }
@@ -292,8 +358,6 @@ fn rows_of<S: Simd>(
 }
 
 /// Nearest first; of equally near ones the first object's lowest triangle.
-fn sort(blockers: &mut [Blocker]) {
-    blockers.sort_by(|a, b| {
-        a.t.total_cmp(&b.t).then((a.object, a.triangle).cmp(&(b.object, b.triangle)))
-    });
+fn nearest_first(a: &Blocker, b: &Blocker) -> Ordering {
+    a.t.total_cmp(&b.t).then((a.object, a.triangle).cmp(&(b.object, b.triangle)))
 }
