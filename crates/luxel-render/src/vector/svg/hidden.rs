@@ -9,7 +9,8 @@ use super::convex::without;
 use super::face::for_each;
 use super::flatten::Piece;
 use super::order::Order;
-use super::web::{Map, Place, Web};
+use super::ways::Ways;
+use super::web::{Place, Web};
 
 /// How far from what is seen hidden pieces are kept, in pixels.
 const KEPT: f64 = 1.0;
@@ -23,7 +24,7 @@ pub(super) type Hiding = Vec<Vec<Vec<Place>>>;
 pub(super) fn needed(
     web: &Web,
     pieces: &[Piece],
-    right_of: &Map<[u32; 2], u32>,
+    ways: &Ways,
     order: &Order,
     hiding: &Hiding,
 ) -> Vec<bool> {
@@ -34,27 +35,24 @@ pub(super) fn needed(
     });
     let mut kept: Vec<u32> = Vec::new();
     let mut found: Vec<u32> = Vec::new();
-    let (mut around, mut beyond) = (Vec::new(), Vec::new());
-    for (number, piece) in pieces.iter().enumerate().filter(|(number, _)| needed[*number]) {
-        web.around(&piece.polygon, &mut around);
-        for at in 0..around.len() {
-            let way = [around[(at + 1) % around.len()], around[at]];
-            let Some(&first) = right_of.get(&way).filter(|&&other| !needed[other as usize]) else {
+    for number in numbers.into_iter().filter(|&number| needed[number as usize]) {
+        for way in ways.around(number) {
+            let Some(first) = way.beyond().filter(|&other| !needed[other as usize]) else {
                 continue;
             };
-            debug_assert_ne!(first as usize, number, "a piece beside itself");
-            let ends = way.map(|point| web.place(point));
+            debug_assert_ne!(first, number, "a piece beside itself");
+            let ends = [way.to, way.from].map(|point| web.place(point));
             found.clear();
             found.push(first);
             let mut next = 0;
             while let Some(&piece) = found.get(next) {
                 next += 1;
-                web.around(&pieces[piece as usize].polygon, &mut beyond);
-                for side in 0..beyond.len() {
-                    let way = [beyond[(side + 1) % beyond.len()], beyond[side]];
-                    let near = way.iter().any(|&point| distance(ends, web.place(point)) < KEPT);
-                    if let Some(&other) = right_of.get(&way)
-                        && near
+                for way in ways.around(piece) {
+                    let is_near = [way.to, way.from]
+                        .iter()
+                        .any(|&point| distance(ends, web.place(point)) < KEPT);
+                    if let Some(other) = way.beyond()
+                        && is_near
                         && found.len() < MOST
                         && !needed[other as usize]
                         && !found.contains(&other)

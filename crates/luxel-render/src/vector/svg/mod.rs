@@ -34,7 +34,7 @@ use hidden::{Hiding, needed};
 use luxel_view::{Shading, ShadingMode, View};
 use luxel_visibility::{Coverage, CoveragePolicy, Samples, Tile, TriangleId, TriangleOf};
 use paint::paint;
-use ways::right_of;
+use ways::Ways;
 use web::{Place, Web};
 
 /// Most pieces of one picture: each takes about 300 bytes while it is made.
@@ -152,7 +152,7 @@ fn draw(
         }
     }
     let mut pieces = std::mem::take(&mut flattener.pieces);
-    let mut needed = needed(&web, &pieces, &right_of(&web, &pieces), &order, &hiding).into_iter();
+    let mut needed = needed(&web, &pieces, &Ways::new(&web, &pieces), &order, &hiding).into_iter();
     pieces.retain(|_| needed.next().unwrap_or(true));
     let mut document = Document::default();
     let range = largest_range(tolerance);

@@ -15,7 +15,7 @@
 use super::flatten::Piece;
 use super::order::Order;
 use super::schedule::Schedule;
-use super::ways::{right_of, rings};
+use super::ways::{Way, Ways, rings};
 use super::web::{Color, Map, Place, Web};
 
 /// How far an area reaches under what is painted after it, in pixels: what a pixel can be across.
@@ -63,8 +63,7 @@ struct Under {
 struct Painter<'a> {
     web: &'a Web,
     pieces: &'a [Piece],
-    /// The piece to the right of each way from point to point.
-    right_of: Map<[u32; 2], u32>,
+    ways: &'a Ways,
     /// For each of the coats, and last the areas: the number of each piece's; 0 for none yet.
     groups: [Vec<u32>; COATS.len()],
     /// How many groups there are.
@@ -89,10 +88,10 @@ pub(super) fn paint(
     largest_range: f32,
     mut done: impl FnMut(&Area),
 ) -> Silhouette {
-    let right_of = right_of(web, pieces);
+    let ways = &Ways::new(web, pieces);
     let groups = std::array::from_fn(|_| vec![0; pieces.len()]);
     let borders = Map::default();
-    let mut painter = Painter { web, pieces, right_of, groups, count: 0, borders, largest_range };
+    let mut painter = Painter { web, pieces, ways, groups, count: 0, borders, largest_range };
     let silhouette = painter.silhouette();
     let mut schedule = Schedule::new(order, pieces);
     while let Some(seed) = schedule.seed(&painter.groups[0], pieces) {
@@ -118,16 +117,14 @@ impl Painter<'_> {
             }
         });
         if is_area {
-            let rings = rings(self.web, self.pieces, &members);
+            let rings = rings(self.ways, &members);
             let outlines = rings.iter().map(|ring| self.outline(ring, opaque)).collect();
             let rims = if opaque { self.rims(&rings) } else { Vec::new() };
             return (members, vec![Area { outlines, rims, color }]);
         }
         let within = if opaque { self.within(&members, level) } else { Vec::new() };
-        let outlines = rings(self.web, self.pieces, &within)
-            .iter()
-            .map(|ring| self.outline(ring, true))
-            .collect();
+        let outlines =
+            rings(self.ways, &within).iter().map(|ring| self.outline(ring, true)).collect();
         let own = Area { outlines, rims: Vec::new(), color };
         let mut areas = Vec::new();
         for &member in &members {
@@ -152,17 +149,13 @@ impl Painter<'_> {
         self.groups[level][seed as usize] = group;
         let mut members = vec![seed];
         let mut at = 0;
-        let mut around = Vec::new();
         while let Some(&member) = members.get(at) {
             at += 1;
             let piece = &pieces[member as usize];
             for channel in 0..4 {
                 colors.sum[channel] += f64::from(piece.low[channel] + piece.high[channel]) * 0.5;
             }
-            self.web.around(&piece.polygon, &mut around);
-            for corner in 0..around.len() {
-                let way = [around[(corner + 1) % around.len()], around[corner]];
-                let Some(&other) = self.right_of.get(&way) else { continue };
+            for other in self.ways.around(member).iter().filter_map(|way| way.beyond()) {
                 let piece = &pieces[other as usize];
                 let may = match level.checked_sub(1) {
                     None => ready[piece.face as usize] && self.is_opaque(other) == opaque,
@@ -191,33 +184,26 @@ impl Painter<'_> {
     /// part twice.
     fn within(&mut self, members: &[u32], level: usize) -> Vec<u32> {
         let group = members.first().map_or(0, |&member| self.groups[level][member as usize]);
-        let mut around = Vec::new();
-        for &member in members {
-            self.web.around(&self.pieces[member as usize].polygon, &mut around);
-            for at in 0..around.len() {
-                let [from, to] = [around[at], around[(at + 1) % around.len()]];
-                let is_inside = self.right_of.get(&[to, from]).is_some_and(|&beyond| {
-                    self.groups[level][beyond as usize] == group || self.is_later(beyond)
-                });
-                if is_inside {
-                    continue;
-                }
-                for [x, y] in cells_along([from, to].map(|point| self.web.place(point))) {
-                    for y in y.saturating_sub(1)..=y + 1 {
-                        for x in x.saturating_sub(1)..=x + 1 {
-                            self.borders.insert([x, y], group);
-                        }
+        for way in members.iter().flat_map(|&member| self.ways.around(member)) {
+            let is_inside = way.beyond().is_some_and(|beyond| {
+                self.groups[level][beyond as usize] == group || self.is_later(beyond)
+            });
+            if is_inside {
+                continue;
+            }
+            for [x, y] in cells_along([way.from, way.to].map(|point| self.web.place(point))) {
+                for y in y.saturating_sub(1)..=y + 1 {
+                    for x in x.saturating_sub(1)..=x + 1 {
+                        self.borders.insert([x, y], group);
                     }
                 }
             }
         }
         // Long pieces that only end at the border are not left out: little of them is near.
-        let mut is_near = |member: u32| {
-            self.web.around(&self.pieces[member as usize].polygon, &mut around);
+        let is_near = |member: u32| {
             let (mut near, mut all) = (0, 0);
-            for at in 0..around.len() {
-                let ends = [around[at], around[(at + 1) % around.len()]];
-                for cell in cells_along(ends.map(|point| self.web.place(point))) {
+            for way in self.ways.around(member) {
+                for cell in cells_along([way.from, way.to].map(|point| self.web.place(point))) {
                     near += u32::from(self.borders.get(&cell) == Some(&group));
                     all += 1;
                 }
@@ -232,16 +218,16 @@ impl Painter<'_> {
     }
 
     /// The runs of ways beyond which there is no piece.
-    fn rims(&self, rings: &[Vec<[u32; 2]>]) -> Vec<Vec<Place>> {
+    fn rims(&self, rings: &[Vec<Way>]) -> Vec<Vec<Place>> {
         let mut rims: Vec<Vec<Place>> = Vec::new();
         for ring in rings {
             let mut goes_on = false;
-            for &[from, to] in ring {
-                let is_rim = !self.right_of.contains_key(&[to, from]);
+            for way in ring {
+                let is_rim = way.beyond().is_none();
                 match rims.last_mut().filter(|_| goes_on) {
-                    Some(rim) if is_rim => rim.push(self.web.place(to)),
+                    Some(rim) if is_rim => rim.push(self.web.place(way.to)),
                     _ if is_rim => {
-                        rims.push([from, to].map(|point| self.web.place(point)).to_vec());
+                        rims.push([way.from, way.to].map(|point| self.web.place(point)).to_vec());
                     }
                     _ => {}
                 }
@@ -255,11 +241,8 @@ impl Painter<'_> {
     fn silhouette(&self) -> Silhouette {
         let all = 0..self.pieces.len() as u32;
         let outlines = |members: Vec<u32>| -> Vec<Vec<Place>> {
-            let place = |way: &[u32; 2]| self.web.place(way[0]);
-            rings(self.web, self.pieces, &members)
-                .iter()
-                .map(|ring| ring.iter().map(place).collect())
-                .collect()
+            let place = |way: &Way| self.web.place(way.from);
+            rings(self.ways, &members).iter().map(|ring| ring.iter().map(place).collect()).collect()
         };
         let (opaque, glass): (Vec<u32>, Vec<u32>) = all.partition(|&piece| self.is_opaque(piece));
         let mut color = [0.0; 4];
@@ -276,13 +259,13 @@ impl Painter<'_> {
     ///
     /// The result is the outline, and a strip along each such way, all of them winding the same way
     /// round, so that nowhere do they take each other away.
-    fn outline(&self, ways: &[[u32; 2]], opaque: bool) -> Vec<Place> {
+    fn outline(&self, ways: &[Way], opaque: bool) -> Vec<Place> {
         let under: Vec<Option<Under>> =
             ways.iter().map(|&way| self.under(way).filter(|_| opaque)).collect();
         let mut places = Vec::with_capacity(ways.len() + 4);
         for at in 0..ways.len() {
             let before = (at + ways.len() - 1) % ways.len();
-            let [x, y] = self.web.place(ways[at][0]);
+            let [x, y] = self.web.place(ways[at].from);
             let moved = |[dx, dy]: Place| [x + dx, y + dy];
             let end = under[before].as_ref().map(|under| under.end);
             let start = under[at].as_ref().map(|under| under.start);
@@ -311,15 +294,15 @@ impl Painter<'_> {
 
     /// Where the ends of a way go to lie under what is beyond it, if that is painted later: along
     /// the edges of the piece there.
-    fn under(&self, [from, to]: [u32; 2]) -> Option<Under> {
-        let piece = *self.right_of.get(&[to, from])?;
+    fn under(&self, way: Way) -> Option<Under> {
+        let Way { from, to, .. } = way;
+        let piece = way.beyond()?;
         if !self.is_later(piece) {
             return None;
         }
-        let mut around = Vec::new();
-        self.web.around(&self.pieces[piece as usize].polygon, &mut around);
+        let around = self.ways.around(piece);
         let count = around.len();
-        let at = (0..count).find(|&at| around[at] == to && around[(at + 1) % count] == from)?;
+        let at = around.iter().position(|back| (back.from, back.to) == (to, from))?;
         let ([ax, ay], [bx, by]) = (self.web.place(from), self.web.place(to));
         let (dx, dy) = (bx - ax, by - ay);
         let length = (dx * dx + dy * dy).sqrt();
@@ -341,7 +324,7 @@ impl Painter<'_> {
             let reach = self.reach(piece, origin, [ux, uy], most);
             [ux * reach, uy * reach]
         };
-        let (before, after) = (around[(at + count - 1) % count], around[(at + 2) % count]);
+        let (before, after) = (around[(at + count - 1) % count].from, around[(at + 1) % count].to);
         let (start, end) = (away([ax, ay], after, [-dx, -dy]), away([bx, by], before, [dx, dy]));
         // Ever farther from the ends, where outlines hold it back.
         let steps = std::iter::successors(Some(ENDS / length), |part| Some(part * 2.0));
@@ -359,41 +342,39 @@ impl Painter<'_> {
 
     /// How far a way into a piece leads through that piece and others that are painted later.
     fn reach(&self, mut piece: u32, origin: Place, [dx, dy]: Place, most: f64) -> f64 {
-        let mut around = Vec::new();
         let mut reached = 0.0;
         let mut place = None;
         for _ in 0..MOST_UNDER {
-            self.web.around(&self.pieces[piece as usize].polygon, &mut around);
+            let around = self.ways.around(piece);
             // Ways along an edge keep to the side on which they began.
             let [x, y] = *place.get_or_insert_with(|| {
                 let share = 1.0 / around.len() as f64;
-                let middle = around.iter().fold([0.0; 2], |[x, y], &point| {
-                    let [px, py] = self.web.place(point);
+                let middle = around.iter().fold([0.0; 2], |[x, y], way| {
+                    let [px, py] = self.web.place(way.from);
                     [x + px * share, y + py * share]
                 });
                 [0, 1].map(|axis| origin[axis] + (middle[axis] - origin[axis]) * 1e-3)
             });
-            let mut leaves = (f64::INFINITY, [0; 2]);
-            for at in 0..around.len() {
-                let ends = [around[at], around[(at + 1) % around.len()]];
-                let [[ax, ay], [bx, by]] = ends.map(|point| self.web.place(point));
+            let mut leaves = (f64::INFINITY, None);
+            for way in around {
+                let [[ax, ay], [bx, by]] = [way.from, way.to].map(|point| self.web.place(point));
                 // Inside is to the right of each edge.
                 let (ex, ey) = (bx - ax, by - ay);
                 let towards = ex * dy - ey * dx;
                 if towards < 0.0 {
                     let distance = (ex * (y - ay) - ey * (x - ax)) / -towards;
                     if distance < leaves.0 {
-                        leaves = (distance.max(reached), ends);
+                        leaves = (distance.max(reached), way.beyond());
                     }
                 }
             }
-            let (distance, [a, b]) = leaves;
+            let (distance, beyond) = leaves;
             if distance >= most || distance.is_infinite() {
                 return most.min(distance.max(0.0));
             }
             reached = distance;
-            match self.right_of.get(&[b, a]) {
-                Some(&next) if self.is_later(next) => piece = next,
+            match beyond {
+                Some(next) if self.is_later(next) => piece = next,
                 // At an outline, what reaches there is painted twice.
                 _ => return (2.0 * reached - most).max(0.0),
             }

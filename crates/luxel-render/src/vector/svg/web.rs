@@ -237,21 +237,20 @@ impl Web {
             if between.is_empty() {
                 continue;
             }
+            // That of a point between is what was computed when it was put there.
             let part = |point: u32| match *ends {
                 [first, _] if first == point => 0.0,
                 [_, last] if last == point => 1.0,
-                _ => {
-                    let found = between.iter().find(|(_, other)| *other == point);
-                    found.map_or_else(|| self.part(corner.line, self.place(point)).0, |(t, _)| *t)
-                }
+                _ => self.part(corner.line, self.place(point)).0,
             };
             let (from, to) = (part(corner.point), part(next));
-            let within = |t: f64| (t > from && t < to) || (t < from && t > to);
-            let inner = between.iter().filter(|(t, _)| within(*t)).map(|(_, point)| *point);
-            if from < to {
-                points.extend(inner);
-            } else {
-                points.extend(inner.rev());
+            let (low, high) = (from.min(to), from.max(to));
+            let first = between.partition_point(|(t, _)| *t <= low);
+            let inner = between[first..].iter().take_while(|(t, _)| *t < high);
+            let begin = points.len();
+            points.extend(inner.map(|(_, point)| *point));
+            if from > to {
+                points[begin..].reverse();
             }
         }
     }
