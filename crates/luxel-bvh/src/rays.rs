@@ -69,7 +69,7 @@ impl<'m> MeshRays<'m> {
     #[must_use]
     pub fn all(&self, ray: &Ray) -> Vec<RayHit> {
         let mut hits = Vec::new();
-        self.each_hit(ray, |hit| {
+        self.each_hit(ray, &mut |hit| {
             hits.push(hit);
             ControlFlow::Continue(())
         });
@@ -78,7 +78,7 @@ impl<'m> MeshRays<'m> {
     }
 
     /// Visits the hits of a ray, in no particular order, until `visit` breaks.
-    pub fn each_hit(&self, ray: &Ray, mut visit: impl FnMut(RayHit) -> ControlFlow<()>) {
+    pub fn each_hit(&self, ray: &Ray, visit: &mut dyn FnMut(RayHit) -> ControlFlow<()>) {
         if !ray.is_sound() {
             return;
         }

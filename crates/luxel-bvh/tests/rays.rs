@@ -115,7 +115,7 @@ fn visiting_hits_finds_all_and_ends_at_the_one_that_breaks() {
         let all = rays.all(&ray);
         let visited = |most: usize| {
             let mut hits = Vec::new();
-            rays.each_hit(&ray, |hit| {
+            rays.each_hit(&ray, &mut |hit| {
                 hits.push(hit);
                 if hits.len() == most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             });

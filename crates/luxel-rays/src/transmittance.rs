@@ -90,7 +90,7 @@ impl SceneRays {
                 || if self.is_opaque(body) {
                     self.rebased_ray(ray, body).is_some_and(|near| self.rays(body).any(&near.ray))
                 } else {
-                    self.is_blocked_by(body, ray, |blocker| weakening.push(blocker))
+                    self.is_blocked_by(body, ray, &mut |blocker| weakening.push(blocker))
                 };
             if is_blocked { f64::NEG_INFINITY } else { farthest }
         });
@@ -165,7 +165,7 @@ impl SceneRays {
             self.hits_of(body, (rays, spread), through, hits);
             hits.each(|number, lane| {
                 let place = number * LANES + lane;
-                let weaken = |blocker| {
+                let weaken = &mut |blocker| {
                     if blockers.len() <= MANY {
                         blockers.push((place, blocker));
                     }
@@ -217,10 +217,10 @@ impl SceneRays {
 
     /// Whether one of a translucent body's surfaces keeps all light of a ray; `weaken` is called with those
     /// that keep a part, of a blocked ray not with all.
-    fn is_blocked_by(&self, body: usize, ray: &WorldRay, mut weaken: impl FnMut(Blocker)) -> bool {
+    fn is_blocked_by(&self, body: usize, ray: &WorldRay, weaken: &mut dyn FnMut(Blocker)) -> bool {
         let Some(near) = self.rebased_ray(ray, body) else { return false };
         let mut is_blocked = false;
-        self.rays(body).each_hit(&near.ray, |hit| {
+        self.rays(body).each_hit(&near.ray, &mut |hit| {
             match self.blocker(body, &near, &hit) {
                 Some(blocker) if blocker.alpha >= 1.0 => {
                     is_blocked = true;
