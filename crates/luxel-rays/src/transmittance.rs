@@ -60,7 +60,8 @@ impl BodyHits {
 /// Up to so many bodies are each asked for all rays that go all ways; among more, each ray finds its own.
 const FEW: usize = 8;
 
-/// So many surfaces in the way of a batch are remembered, in less than 3 MB a thread; of more, each ray remembers its own.
+/// So many surfaces in the way of a batch are remembered, in less than 4 MB a thread; of more, each ray
+/// remembers its own.
 const MANY: usize = 1 << 16;
 
 /// A surface in the way of a ray.
