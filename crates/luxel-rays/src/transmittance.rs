@@ -127,10 +127,6 @@ impl SceneRays {
                 }
             };
             let is_shared = match spread {
-                _ if self.bodies() == 1 => {
-                    take_light(0);
-                    true
-                }
                 Spread::Narrow => {
                     self.each_body_near(rays.iter().flat_map(RayLanes::rays), take_light)
                 }
@@ -141,7 +137,7 @@ impl SceneRays {
                     is_few
                 }
             };
-            // Rays that opaque bodies block need no look at what keeps a part.
+            // Opaque bodies came first: the rays that they block need no look at what keeps a part.
             if !is_shared || !self.weaken(translucent, (rays, spread), through, (hits, blockers)) {
                 for (rays, through) in rays.iter().zip(through) {
                     for lane in lanes_of(rays.lanes) {

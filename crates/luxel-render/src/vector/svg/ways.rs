@@ -29,7 +29,7 @@ pub(super) struct Ways {
     all: Vec<Way>,
 }
 
-/// So many pieces or ways are looked at by one thread at a time.
+/// So many ways are looked at by one thread at a time.
 const RUN: usize = 1 << 12;
 
 impl Ways {
