@@ -191,7 +191,7 @@ impl Painter<'_> {
             if is_inside {
                 continue;
             }
-            for [x, y] in cells_along([way.from, way.to].map(|point| self.web.place(point))) {
+            for [x, y] in cells_along(way.ends(self.web)) {
                 for y in y.saturating_sub(1)..=y + 1 {
                     for x in x.saturating_sub(1)..=x + 1 {
                         self.borders.insert([x, y], group);
@@ -203,7 +203,7 @@ impl Painter<'_> {
         let is_near = |member: u32| {
             let (mut near, mut all) = (0, 0);
             for way in self.ways.around(member) {
-                for cell in cells_along([way.from, way.to].map(|point| self.web.place(point))) {
+                for cell in cells_along(way.ends(self.web)) {
                     near += u32::from(self.borders.get(&cell) == Some(&group));
                     all += 1;
                 }
@@ -227,7 +227,7 @@ impl Painter<'_> {
                 match rims.last_mut().filter(|_| goes_on) {
                     Some(rim) if is_rim => rim.push(self.web.place(way.to)),
                     _ if is_rim => {
-                        rims.push([way.from, way.to].map(|point| self.web.place(point)).to_vec());
+                        rims.push(way.ends(self.web).to_vec());
                     }
                     _ => {}
                 }
@@ -303,7 +303,7 @@ impl Painter<'_> {
         let around = self.ways.around(piece);
         let count = around.len();
         let at = around.iter().position(|back| (back.from, back.to) == (to, from))?;
-        let ([ax, ay], [bx, by]) = (self.web.place(from), self.web.place(to));
+        let [[ax, ay], [bx, by]] = way.ends(self.web);
         let (dx, dy) = (bx - ax, by - ay);
         let length = (dx * dx + dy * dy).sqrt();
         if length < 1e-9 {
@@ -357,7 +357,7 @@ impl Painter<'_> {
             });
             let mut leaves = (f64::INFINITY, None);
             for way in around {
-                let [[ax, ay], [bx, by]] = [way.from, way.to].map(|point| self.web.place(point));
+                let [[ax, ay], [bx, by]] = way.ends(self.web);
                 // Inside is to the right of each edge.
                 let (ex, ey) = (bx - ax, by - ay);
                 let towards = ex * dy - ey * dx;

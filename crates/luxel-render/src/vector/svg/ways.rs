@@ -2,7 +2,7 @@
 //! several pieces.
 
 use super::flatten::Piece;
-use super::web::{Map, Mixing, Web};
+use super::web::{Map, Mixing, Place, Web};
 
 /// The way from a point to the next one around a piece, which lies to its right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -19,6 +19,11 @@ impl Way {
     /// The piece on the left, the first one if there are several.
     pub(super) fn beyond(self) -> Option<u32> {
         (self.beyond != NONE).then_some(self.beyond)
+    }
+
+    /// Where it begins and ends.
+    pub(super) fn ends(self, web: &Web) -> [Place; 2] {
+        [self.from, self.to].map(|point| web.place(point))
     }
 }
 
