@@ -5,6 +5,7 @@ use crate::interpolate::{Batch, Fragments, Wanted};
 use crate::material::{Attributes, lit, lit_elsewhere, shading_normal};
 use crate::setup::SetupCache;
 use crate::shade::display::displayed;
+use crate::shade::flat_light::FlatLights;
 use crate::shade::kept_points::KeptPoints;
 use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::studied::{draw_edges, is_studied, shadow, study};
@@ -20,6 +21,8 @@ pub(crate) struct ThreadCache {
     pub(crate) setup: SetupCache,
     /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
     pub(crate) lit: LitTriangles,
+    /// Lights of triangles in flat shading.
+    pub(super) flat: FlatLights,
     /// Occlusion of batches' samples.
     pub(crate) occlusion: OcclusionLanes,
     /// Surface points of batches, while shadow rays are traced.
@@ -31,6 +34,7 @@ impl ThreadCache {
         Self {
             setup: SetupCache::new(),
             lit: LitTriangles::new(),
+            flat: FlatLights::new(),
             occlusion: OcclusionLanes::default(),
             points: [KeptPoints::NONE; BATCHES],
         }
@@ -40,6 +44,7 @@ impl ThreadCache {
     pub(crate) fn begin_frame(&mut self) {
         self.setup.begin_frame();
         self.lit.begin_frame();
+        self.flat.begin_frame();
         self.occlusion.begin_frame();
     }
 }

@@ -1,10 +1,10 @@
 //! Triangles whose light is computed elsewhere than at their pixels, or which are interpolated in the
 //! window: looked up and lit once, not for every sample.
 
+use super::flat_light::place_of_whole;
 use super::screen_interpolation::{InWindow, Outline};
 use crate::context::{AttributeMask, LitAt, ShadingContext};
 use crate::material::{Attributes, Corner, light_at, light_under};
-use crate::polygons::Polygons;
 use crate::setup::PlacedCorners;
 use crate::subdivision::{Asked, Pieces, TexelLight, mixed};
 use glam::DVec3;
@@ -51,6 +51,13 @@ const ENTRIES: usize = 256;
 /// Spreads ids over entries: 2^32 divided by the golden ratio (Knuth, The Art of Computer Programming 3, 6.4).
 const MULTIPLIER: u32 = 0x9e37_79b9;
 
+/// Where a cache of so many entries, a power of two, holds an id.
+///
+/// Low bits are numbers within a cluster: a wall's two triangles would share entries with the next wall's.
+pub(super) fn entry_of(id: TriangleId, entries: usize) -> usize {
+    (id.0.wrapping_mul(MULTIPLIER) >> (u32::BITS - entries.ilog2())) as usize
+}
+
 impl LitTriangles {
     pub(crate) fn new() -> Self {
         Self { entries: Vec::new() }
@@ -70,9 +77,7 @@ impl LitTriangles {
         if self.entries.is_empty() {
             self.entries.resize(ENTRIES, None);
         }
-        // Low bits are numbers within a cluster: a wall's two triangles would share entries with the next wall's.
-        let place = id.0.wrapping_mul(MULTIPLIER) >> (u32::BITS - ENTRIES.ilog2());
-        let entry = &mut self.entries[place as usize];
+        let entry = &mut self.entries[entry_of(id, ENTRIES)];
         if entry.as_ref().is_none_or(|seen| seen.id != id) {
             let of = scene.frame.triangle(id)?;
             let mut seen = LitTriangle::new(scene, id, of);
@@ -84,7 +89,7 @@ impl LitTriangles {
 }
 
 impl LitTriangle {
-    fn new(scene: &ShadingContext<'_>, id: TriangleId, of: TriangleOf) -> Self {
+    pub(super) fn new(scene: &ShadingContext<'_>, id: TriangleId, of: TriangleOf) -> Self {
         let frame = scene.frame;
         let space = scene.space(of.instance);
         let mesh = frame.instances()[of.instance].mesh;
@@ -235,25 +240,17 @@ impl LitTriangle {
         space.unit_normal(Vec3::new(x, y, z)).dot(Vec3::new(seen_x, seen_y, seen_z)) < 0.0
     }
 
-    /// The polygon as one place: its centroid, with its own normal.
-    fn whole(&self, scene: &ShadingContext<'_>) -> Corner {
-        let Self { of, .. } = *self;
-        let instance = &scene.placed.instances()[of.instance];
-        let mesh = scene.placed.mesh(instance);
-        let (face, around) = match scene.polygons[of.instance] {
-            Some(polygons) => (polygons.face(mesh, of.triangle), self.around(scene, true)),
-            None => (Polygons::TRIANGLES.face(mesh, of.triangle), Vec::new()),
+    /// The polygon as one place: its centroid, with its own normal and the mean of its corners' attributes.
+    pub(super) fn whole(&self, scene: &ShadingContext<'_>) -> Corner {
+        let around = match scene.polygons[self.of.instance] {
+            Some(_) => self.around(scene, true),
+            None => Vec::new(),
         };
         let around: Vec<Corner> = around.into_iter().map(|(_, corner)| corner).collect();
-        let in_view = scene.placed.view_from_mesh(instance).transform_point3(face.centroid);
-        let space = &instance.space;
-        let place = space.view.world_from_view * in_view;
-        let normal = (space.normal_from_mesh() * face.area).normalize_or_zero();
-        let to_eye = if space.view.parallel { space.view.world_from_view.z_axis } else { -place };
-        let normal = if normal.dot(to_eye) < 0.0 { -normal } else { normal };
+        let [position, normal] = place_of_whole(scene, self.of);
         Corner {
-            position: place.as_vec3().to_array(),
-            normal: normal.as_vec3().to_array(),
+            position,
+            normal,
             ..Corner::mean(&around)
                 .or_else(|| Corner::mean(&self.corners))
                 .unwrap_or(self.corners[0])

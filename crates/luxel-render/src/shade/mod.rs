@@ -3,6 +3,7 @@
 
 mod block;
 mod display;
+mod flat_light;
 mod kept_points;
 mod lit_triangle;
 mod screen_interpolation;
