@@ -1,9 +1,8 @@
-//! Flat shading: a polygon's one place, and the light that leaves it.
+//! Flat shading: the one light of a polygon.
 
-use super::lit_triangle::{LitTriangle, entry_of};
+use super::lit_triangle::{LitTriangle, entry_of, place_of_whole};
 use crate::context::{AttributeMask, ShadingContext};
 use crate::material::{Corner, light_at};
-use crate::polygons::Polygons;
 use luxel_lighting::Silent;
 use luxel_visibility::{TriangleId, TriangleOf};
 
@@ -58,22 +57,4 @@ fn flat_light(scene: &ShadingContext<'_>, id: TriangleId, of: TriangleOf) -> [f3
         _ => LitTriangle::new(scene, id, of).whole(scene),
     };
     light_at(scene, &whole, has, number, &mut Silent)
-}
-
-/// The place of the polygon that a triangle is part of: its centroid about the eye, along the world's axes, and its
-/// own normal in world space, turned to the eye.
-pub(super) fn place_of_whole(scene: &ShadingContext<'_>, of: TriangleOf) -> [[f32; 3]; 2] {
-    let instance = &scene.placed.instances()[of.instance];
-    let mesh = scene.placed.mesh(instance);
-    let face = match scene.polygons[of.instance] {
-        Some(polygons) => polygons.face(mesh, of.triangle),
-        None => Polygons::TRIANGLES.face(mesh, of.triangle),
-    };
-    let in_view = scene.placed.view_from_mesh(instance).transform_point3(face.centroid);
-    let space = &instance.space;
-    let place = space.view.world_from_view * in_view;
-    let normal = (space.normal_from_mesh() * face.area).normalize_or_zero();
-    let to_eye = if space.view.parallel { space.view.world_from_view.z_axis } else { -place };
-    let normal = if normal.dot(to_eye) < 0.0 { -normal } else { normal };
-    [place.as_vec3().to_array(), normal.as_vec3().to_array()]
 }
