@@ -32,12 +32,11 @@ impl FlatLights {
             self.entries.resize(ENTRIES, (TriangleId::NONE, [0.0; 3]));
         }
         let entry = &mut self.entries[entry_of(id, ENTRIES)];
-        if entry.0 != id
-            && let Some(of) = scene.frame.triangle(id)
-        {
+        if entry.0 != id {
+            let Some(of) = scene.frame.triangle(id) else { return [0.0; 3] };
             *entry = (id, flat_light(scene, id, of));
         }
-        if entry.0 == id { entry.1 } else { [0.0; 3] }
+        entry.1
     }
 }
 
