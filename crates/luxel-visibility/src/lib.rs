@@ -51,8 +51,8 @@ pub use query::{
     interpolate_corners_step, interpolate_step, sides, strokes, tile_of,
 };
 pub use raster::{
-    DepthPlane, Plane, SampleGrid, Sink, SmallPlaces, SmallSamples, SmallSink, StreamSink, Tile,
-    Triangle, TriangleStream, clip_by_plane, cover, rank_step,
+    DepthPlane, Overlap, Plane, SampleGrid, Sink, SmallPlaces, SmallSamples, SmallSink, StreamSink,
+    Tile, Triangle, TriangleStream, clip_by_plane, cover, rank_step,
 };
 pub use types::{
     Asked, BLOCK, BLOCKS, Coverage, CullFaces, GUARD_BAND, Holes, MAX_SAMPLES, MAX_SIDE, PartUse,

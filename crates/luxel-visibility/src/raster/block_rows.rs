@@ -48,7 +48,6 @@ pub(super) fn cover<S: Simd>(simd: S, rows: &BlockRows, plane: &DepthPlane, sink
     let lane_dx =
         f32x16::float_from(lane_x * SUBPIXELS + (region.x * SUBPIXELS + offset[0] - plane.x));
     let lane_dy = lane_y * SUBPIXELS + (region.y * SUBPIXELS + offset[1] - plane.y);
-    let low = f32x16::splat(simd, plane.low);
     let high = f32x16::splat(simd, plane.high);
     // Edge functions in sixteen blocks side by side, as many as a tile has: at the first pixel, and
     // how much larger they are at most.
@@ -78,7 +77,7 @@ pub(super) fn cover<S: Simd>(simd: S, rows: &BlockRows, plane: &DepthPlane, sink
                     | (inside_block[2] + starts[2][column]))
                     .simd_ge(0);
                 let dx = lane_dx + COLUMNS[column];
-                let z = (dx * plane.dz_dx + plane.z + row_z).maximum(low).minimum(high);
+                let z = plane.depth(dx, row_z);
                 let block = (first_block as usize + column) & (BLOCKS_OF_TILE - 1);
                 sink.block(simd, covered, z, block);
             }

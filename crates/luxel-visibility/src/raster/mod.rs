@@ -22,7 +22,7 @@ pub use buffer::{Plane, Tile};
 pub(crate) use clip::clip;
 pub use clip::clip_by_plane;
 pub(crate) use large_clusters::LargeClusters;
-pub use setup::{DepthPlane, Triangle, rank_step};
+pub use setup::{DepthPlane, Overlap, Triangle, rank_step};
 pub use sink::{Sink, cover};
 pub use small_triangles::{SampleGrid, SmallPlaces, SmallSamples, SmallSink};
 pub(crate) use tile::{View, draw};

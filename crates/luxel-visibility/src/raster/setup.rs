@@ -10,7 +10,7 @@
 //! A sample on an edge belongs to the triangle if the edge is a left or a top one.
 
 use crate::types::{BLOCK, CullFaces, Region, WindowVertex};
-use luxel_math::{Lanes, SUBPIXELS};
+use luxel_math::{Lanes, SUBPIXELS, Simd, f32x16, i32x16, prelude::*};
 
 /// A triangle ready to be rasterized.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,8 +61,28 @@ impl DepthPlane {
     #[must_use]
     pub fn at(&self, position: [i32; 2]) -> f32 {
         let row_z = (position[1] - self.y) as f32 * self.dz_dy;
-        let z = (position[0] - self.x) as f32 * self.dz_dx + self.z + row_z;
-        Lanes::minimum(Lanes::maximum(z, self.low), self.high)
+        self.depth((position[0] - self.x) as f32, row_z)
+    }
+
+    /// The depths at sixteen positions.
+    #[inline(always)]
+    #[must_use]
+    pub fn at_lanes<S: Simd>(&self, [x, y]: [i32x16<S>; 2]) -> f32x16<S> {
+        let row_z = f32x16::float_from(y - self.y) * self.dz_dy;
+        self.depth(f32x16::float_from(x - self.x), row_z)
+    }
+
+    /// The depth `dx` to the right of the first corner, where (y - y_a) dz/dy is `row_z`.
+    #[inline(always)]
+    pub(super) fn depth<N: Lanes>(&self, dx: N, row_z: N) -> N {
+        let z = dx * dx.constant(self.dz_dx) + dx.constant(self.z) + row_z;
+        z.maximum(dx.constant(self.low)).minimum(dx.constant(self.high))
+    }
+
+    /// The same plane, with positions counted from `origin`.
+    #[must_use]
+    pub fn from_origin(self, origin: [i32; 2]) -> Self {
+        Self { x: self.x - origin[0], y: self.y - origin[1], ..self }
     }
 }
 
@@ -80,7 +100,7 @@ pub fn rank_step(slope: [f64; 2], nearest: f64) -> f64 {
 
 /// An edge function over a region: E / 256 at the region's first pixel, and its change from one
 /// pixel to the next.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Edge {
     pub(crate) start: i32,
     pub(crate) step_x: i32,
@@ -99,6 +119,17 @@ impl Edge {
     pub(crate) fn at(&self, x: i32, y: i32) -> i32 {
         self.start + self.step_x * x + self.step_y * y
     }
+}
+
+/// How much of a region's samples a triangle covers, as far as its box and each of its edges alone show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overlap {
+    /// No sample.
+    None,
+    /// Maybe some.
+    Part,
+    /// All samples.
+    Whole,
 }
 
 impl Triangle {
@@ -161,6 +192,18 @@ impl Triangle {
         let (left, right) = range(self.x, offset[0], tile.x, tile.width)?;
         let (top, bottom) = range(self.y, offset[1], tile.y, tile.height)?;
         Some(Region { x: left, y: top, width: right - left + 1, height: bottom - top + 1 })
+    }
+
+    /// How much of a region's samples at `offset` it covers.
+    #[inline(always)]
+    #[must_use]
+    pub fn overlap(&self, region: Region, offset: [i32; 2]) -> Overlap {
+        let in_box = self.pixels(region, offset).is_some();
+        match self.edges(region, offset).filter(|_| in_box) {
+            None => Overlap::None,
+            Some(edges) if edges == [Edge::default(); 3] => Overlap::Whole,
+            Some(_) => Overlap::Part,
+        }
     }
 
     /// The edge functions over a region for the samples at `offset`; an edge that the region lies

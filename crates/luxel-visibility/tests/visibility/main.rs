@@ -7,6 +7,7 @@ mod clip_space;
 mod coverage;
 mod layers;
 mod oracle;
+mod overlap;
 mod perspective;
 mod random;
 mod same_bytes;
