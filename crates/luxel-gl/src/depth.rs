@@ -1,7 +1,10 @@
 //! Depths as planes keep them: whole steps of 24 bits, or floats (ARB_depth_buffer_float).
 
-use crate::plane::Plane;
-use luxel_math::{F64Lanes, Lanes};
+use crate::plane::{Plane, PlaneValue};
+use luxel_math::{
+    F64Lanes, LANES, Lanes, Level, SUBPIXELS, Simd, dispatch_long, i32x16, prelude::*,
+};
+use luxel_visibility::{DepthPlane as TriangleDepths, TILE};
 
 /// The largest depth in steps of 24 bits.
 const LARGEST_STEP: f32 = 16_777_215.0;
@@ -84,6 +87,81 @@ impl DepthKind {
     }
 }
 
+/// The depths of a tile that lies in one triangle: they are computed where they are read, as where they are written.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DepthRule {
+    kind: DepthKind,
+    /// Positions are counted from the tile's first sample.
+    depths: TriangleDepths,
+    /// What they are moved by.
+    offset: f32,
+}
+
+impl DepthRule {
+    /// The same depth everywhere, as it is kept.
+    pub(crate) fn even(kind: DepthKind, value: f32) -> Self {
+        let depths = TriangleDepths {
+            x: 0,
+            y: 0,
+            z: value,
+            dz_dx: 0.0,
+            dz_dy: 0.0,
+            low: value,
+            high: value,
+        };
+        Self { kind, depths, offset: 0.0 }
+    }
+
+    /// Those of a triangle, moved by an offset, in the tile whose first sample lies at `first`.
+    pub(crate) fn of_triangle(
+        kind: DepthKind,
+        depths: &TriangleDepths,
+        offset: f32,
+        first: [i32; 2],
+    ) -> Self {
+        Self { kind, depths: depths.from_origin(first), offset }
+    }
+
+    /// The least and the greatest depth, as they are kept: each rounded step from pixel to pixel along a row goes the same
+    /// way, and along a column, so that both lie at corners of the tile.
+    pub(crate) fn range(&self) -> [f32; 2] {
+        let last = TILE - 1;
+        let corners = [[0, 0], [last, 0], [0, last], [last, last]];
+        let depths = corners.map(|corner| f32::by_rule(self, corner));
+        depths[1..]
+            .iter()
+            .fold([depths[0]; 2], |[low, high], depth| [low.min(*depth), high.max(*depth)])
+    }
+}
+
+impl PlaneValue for f32 {
+    type Rule = DepthRule;
+
+    #[inline(always)]
+    fn by_rule(rule: &DepthRule, pixel: [i32; 2]) -> Self {
+        let depth = rule.depths.at([pixel[0] * SUBPIXELS, pixel[1] * SUBPIXELS]);
+        rule.kind.moved(depth, rule.offset)
+    }
+
+    #[inline(always)]
+    fn by_rule_in_lanes<S: Simd>(rule: &DepthRule, [x, y]: [i32x16<S>; 2]) -> [Self; LANES] {
+        let depths = rule.depths.at_lanes([x * SUBPIXELS, y * SUBPIXELS]);
+        rule.kind.moved(depths, rule.offset).into()
+    }
+
+    fn row_by_rule(rule: &DepthRule, y: i32, row: &mut [Self]) {
+        dispatch_long!(Level::baseline(), simd => {
+            let columns = i32x16::simd_from(simd, std::array::from_fn(|lane| lane as i32));
+            let rows = i32x16::splat(simd, y);
+            for (number, part) in row.chunks_mut(LANES).enumerate() {
+                let first = (number * LANES) as i32;
+                let depths = Self::by_rule_in_lanes(rule, [columns + first, rows]);
+                part.copy_from_slice(&depths[..part.len()]);
+            }
+        });
+    }
+}
+
 /// Depths of all pixels.
 #[derive(Clone, Debug)]
 pub(crate) struct DepthPlane {
@@ -113,6 +191,47 @@ impl DepthPlane {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use luxel_math::dispatch;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_triangles_depths_in_a_tile_lie_within_their_range_and_are_the_same_in_lanes(
+            corner in [-9000..9000_i32, -9000..9000_i32], slope in [-90.0..90.0_f32, -90.0..90.0_f32],
+            z in 0.0..LARGEST_STEP, reach in 0.0..1e6_f32, offset in prop::sample::select(vec![0.0, 3.0, -700.25]),
+            first in [-9000..9000_i32, -9000..9000_i32], kind in prop::sample::select(vec![DepthKind::Steps, DepthKind::Floats]),
+        ) {
+            let depths = TriangleDepths {
+                x: corner[0],
+                y: corner[1],
+                z: z / LARGEST_STEP * kind.largest(),
+                dz_dx: slope[0] / LARGEST_STEP * kind.largest(),
+                dz_dy: slope[1] / LARGEST_STEP * kind.largest(),
+                low: (z - reach) / LARGEST_STEP * kind.largest(),
+                high: (z + reach) / LARGEST_STEP * kind.largest(),
+            };
+            let rule = DepthRule::of_triangle(kind, &depths, offset, first);
+            let [low, high] = rule.range();
+            let (mut least, mut greatest) = (f32::INFINITY, f32::NEG_INFINITY);
+            for y in 0..TILE {
+                for x in 0..TILE {
+                    let depth = f32::by_rule(&rule, [x, y]);
+                    let at = [first[0] + x * SUBPIXELS, first[1] + y * SUBPIXELS];
+                    prop_assert_eq!(depth, kind.moved(depths.at(at), offset));
+                    (least, greatest) = (least.min(depth), greatest.max(depth));
+                }
+            }
+            prop_assert_eq!([low, high], [least, greatest]);
+            dispatch!(Level::baseline(), simd => {
+                for y in 0..TILE {
+                    let columns = i32x16::simd_from(simd, std::array::from_fn(|lane| 4 * lane as i32));
+                    let lanes = f32::by_rule_in_lanes(&rule, [columns, i32x16::splat(simd, y)]);
+                    let alone: [f32; LANES] = std::array::from_fn(|lane| f32::by_rule(&rule, [4 * lane as i32, y]));
+                    assert_eq!(lanes, alone);
+                }
+            });
+        }
+    }
 
     #[test]
     fn depths_are_found_again_as_exactly_as_their_kind_keeps_them() {

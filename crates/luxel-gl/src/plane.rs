@@ -3,7 +3,7 @@
 //! Framebuffers, renderbuffers and images of textures keep their pixels so: what is drawn to is moved between them, not
 //! copied.
 
-use luxel_math::{LANES, Simd, lanes_of, prelude::*, u32x16};
+use luxel_math::{LANES, Level, Simd, dispatch_long, i32x16, lanes_of, prelude::*, u32x16};
 use luxel_visibility::{BLOCK, BLOCKS, TILE, Tile};
 
 /// Blocks of a tile.
@@ -13,59 +13,126 @@ const _: () = assert!(BLOCK * BLOCK == LANES as i32, "a block is one vector");
 /// One tile, block by block.
 pub(crate) type Blocks<T> = [[T; LANES]; TILE_BLOCKS];
 
-/// The values of a tile. What is filled with one value isn't written before somebody changes a part of it: most of a
-/// shadow map is as far away as it was cleared to be.
+/// Columns and rows of a block's lanes.
+pub(crate) const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
+pub(crate) const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
+
+/// The first pixel of a block within its tile.
+#[inline(always)]
+pub(crate) fn block_origin(block: usize) -> [i32; 2] {
+    let block = block as i32;
+    [block % BLOCKS * BLOCK, block / BLOCKS * BLOCK]
+}
+
+/// What planes have values of.
+pub(crate) trait PlaneValue: Copy {
+    /// What all values of a tile may follow from.
+    type Rule: Copy + std::fmt::Debug;
+
+    /// The value at a column and row of the tile.
+    fn by_rule(rule: &Self::Rule, pixel: [i32; 2]) -> Self;
+
+    /// The values at sixteen columns and rows.
+    fn by_rule_in_lanes<S: Simd>(rule: &Self::Rule, pixels: [i32x16<S>; 2]) -> [Self; LANES];
+
+    /// Reads the first values of a row.
+    fn row_by_rule(rule: &Self::Rule, y: i32, row: &mut [Self]);
+}
+
+/// Colours and stencil values: all may be the same.
+impl PlaneValue for u32 {
+    type Rule = Self;
+
+    #[inline(always)]
+    fn by_rule(rule: &Self, _: [i32; 2]) -> Self {
+        *rule
+    }
+
+    #[inline(always)]
+    fn by_rule_in_lanes<S: Simd>(rule: &Self, _: [i32x16<S>; 2]) -> [Self; LANES] {
+        [*rule; LANES]
+    }
+
+    fn row_by_rule(rule: &Self, _: i32, row: &mut [Self]) {
+        row.fill(*rule);
+    }
+}
+
+/// The values of a tile. Those that follow from a rule aren't written before somebody changes a part of them: most of a
+/// shadow map is as far away as it was cleared to be, or lies in one triangle.
 #[derive(Clone, Debug)]
-pub(crate) struct PlaneTile<T> {
-    /// The value of all pixels, in the place of the blocks.
-    filled: Option<T>,
+pub(crate) struct PlaneTile<T: PlaneValue> {
+    /// What all values follow from, in the place of the blocks.
+    rule: Option<T::Rule>,
     blocks: Box<Blocks<T>>,
 }
 
-impl<T: Copy> PlaneTile<T> {
-    /// Gives all pixels a value.
-    pub(crate) fn fill(&mut self, value: T) {
-        self.filled = Some(value);
+impl<T: PlaneValue> PlaneTile<T> {
+    /// Lets all values follow from a rule.
+    pub(crate) fn follow(&mut self, rule: T::Rule) {
+        self.rule = Some(rule);
     }
 
-    /// Changes the values of all pixels.
-    pub(crate) fn change(&mut self, change: impl Fn(T) -> T) {
-        match &mut self.filled {
-            Some(value) => *value = change(*value),
-            None => {
-                self.blocks.as_flattened_mut().iter_mut().for_each(|value| *value = change(*value));
-            }
-        }
+    /// What all values follow from, if they aren't written.
+    #[inline(always)]
+    pub(crate) fn rule(&self) -> Option<&T::Rule> {
+        self.rule.as_ref()
     }
 
     /// The blocks, to be changed.
     #[inline(always)]
-    pub(crate) fn blocks_mut(&mut self) -> &mut Blocks<T> {
-        if let Some(value) = self.filled.take() {
-            self.write(value);
+    pub(crate) fn blocks_mut<S: Simd>(&mut self, simd: S) -> &mut Blocks<T> {
+        if let Some(rule) = self.rule.take() {
+            self.write(simd, &rule);
         }
         &mut self.blocks
     }
 
     #[inline(never)]
-    fn write(&mut self, value: T) {
-        self.blocks.as_flattened_mut().fill(value);
+    fn write<S: Simd>(&mut self, simd: S, rule: &T::Rule) {
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let lane_x = i32x16::simd_from(simd, LANE_X);
+                let lane_y = i32x16::simd_from(simd, LANE_Y);
+                for (number, block) in self.blocks.iter_mut().enumerate() {
+                    let [x, y] = block_origin(number);
+                    *block = T::by_rule_in_lanes(rule, [lane_x + x, lane_y + y]);
+                }
+            },
+        );
     }
 
     /// The value at a place, row by row within a block and block by block.
     #[inline(always)]
     fn at(&self, place: usize) -> T {
         let place = place & (TILE_BLOCKS * LANES - 1);
-        self.filled.unwrap_or_else(
-            #[inline(always)]
-            || self.blocks.as_flattened()[place],
-        )
+        match &self.rule {
+            None => self.blocks.as_flattened()[place],
+            Some(rule) => {
+                let [x, y] = block_origin(place / LANES);
+                let lane = (place % LANES) as i32;
+                T::by_rule(rule, [x + lane % BLOCK, y + lane / BLOCK])
+            }
+        }
+    }
+}
+
+impl PlaneTile<u32> {
+    /// Changes the values of all pixels.
+    pub(crate) fn change(&mut self, change: impl Fn(u32) -> u32) {
+        match &mut self.rule {
+            Some(value) => *value = change(*value),
+            None => {
+                self.blocks.as_flattened_mut().iter_mut().for_each(|value| *value = change(*value));
+            }
+        }
     }
 }
 
 /// Values of all pixels, with one sample or several.
 #[derive(Clone, Debug)]
-pub(crate) struct Plane<T> {
+pub(crate) struct Plane<T: PlaneValue> {
     size: [u32; 2],
     /// Tiles side by side, and samples of a pixel.
     across: usize,
@@ -74,7 +141,7 @@ pub(crate) struct Plane<T> {
     tiles: Vec<PlaneTile<T>>,
 }
 
-impl<T: Copy> Plane<T> {
+impl<T: PlaneValue> Plane<T> {
     /// The same value everywhere; `None` if there is no memory for it.
     pub(crate) fn new(size: [u32; 2], samples: usize, value: T) -> Option<Self> {
         let [across, up] = size.map(|side| side.div_ceil(TILE as u32) as usize);
@@ -86,7 +153,7 @@ impl<T: Copy> Plane<T> {
             blocks.try_reserve_exact(TILE_BLOCKS).ok()?;
             blocks.resize(TILE_BLOCKS, [value; LANES]);
             let blocks = blocks.into_boxed_slice().try_into().ok()?;
-            tiles.push(PlaneTile { filled: None, blocks });
+            tiles.push(PlaneTile { rule: None, blocks });
         }
         Some(Self { size, across, samples, tiles })
     }
@@ -115,7 +182,7 @@ impl<T: Copy> Plane<T> {
         self.tiles.get(tile).map(|tile| tile.at(place))
     }
 
-    /// The values of the first samples of some lanes' pixels, a bit each; 0 outside, and in other lanes.
+    /// The values of the first samples of some lanes' pixels, a bit each; 0 outside. In other lanes they mean nothing.
     #[inline(always)]
     pub(crate) fn gathered<S: Simd>(&self, [x, y]: [u32x16<S>; 2], lanes: u32) -> [T; LANES]
     where
@@ -131,10 +198,18 @@ impl<T: Copy> Plane<T> {
             | ((x >> BLOCK_BITS) & block) << (2 * BLOCK_BITS)
             | (y & pixel) << BLOCK_BITS
             | x & pixel;
+        let first = lanes_of(lanes).next().unwrap_or(0);
         let (mut tiles, mut places) = ([0; LANES], [0; LANES]);
         tile.store_slice(&mut tiles);
         place.store_slice(&mut places);
         let mut values = [T::default(); LANES];
+        let elsewhere = !tile.simd_eq(tiles[first]).to_bitmask() as u32 & lanes;
+        if elsewhere == 0
+            && let Some(rule) = self.tiles.get(tiles[first] as usize).and_then(PlaneTile::rule)
+        {
+            let side = (TILE - 1) as u32;
+            return T::by_rule_in_lanes(rule, [(x & side).bitcast(), (y & side).bitcast()]);
+        }
         for lane in lanes_of(lanes) {
             if let Some(tile) = self.tiles.get(tiles[lane] as usize) {
                 values[lane] = tile.at(places[lane] as usize);
@@ -147,7 +222,8 @@ impl<T: Copy> Plane<T> {
     pub(crate) fn set(&mut self, at: [u32; 2], sample: usize, value: T) {
         let (tile, place) = self.place(at, sample);
         if let Some(tile) = self.tiles.get_mut(tile) {
-            tile.blocks_mut().as_flattened_mut()[place] = value;
+            let blocks = dispatch_long!(Level::baseline(), simd => tile.blocks_mut(simd));
+            blocks.as_flattened_mut()[place] = value;
         }
     }
 
@@ -158,8 +234,8 @@ impl<T: Copy> Plane<T> {
         let first = (y / TILE as u32) as usize * self.across * self.samples;
         let tiles = self.tiles[first..].iter().step_by(self.samples);
         for (tile, pixels) in tiles.zip(row.chunks_mut(TILE as usize)) {
-            if let Some(value) = tile.filled {
-                pixels.fill(value);
+            if let Some(rule) = tile.rule() {
+                T::row_by_rule(rule, (y % TILE as u32) as i32, pixels);
                 continue;
             }
             let blocks = &tile.blocks[block_row..block_row + BLOCKS as usize];
@@ -216,7 +292,7 @@ mod tests {
                 for lane in 0..LANES {
                     let given = 0xff0f_u32 >> lane & 1 == 1;
                     let [x, y] = at(lane as u32);
-                    assert_eq!(values[lane], if given { value(x, y, 0) } else { 0 });
+                    assert!(!given || values[lane] == value(x, y, 0));
                 }
             }
             let beyond = u32x16::splat(simd, 64000);
@@ -234,7 +310,7 @@ mod tests {
     fn a_filled_tile_reads_and_changes_like_one_that_is_written() {
         let mut plane = Plane::new([130, 70], 1, 5_u32).unwrap();
         for tile in plane.tiles_mut([3, 2]).flatten() {
-            tile.fill(7);
+            tile.follow(7);
             tile.change(|value| value + 1);
         }
         plane.set([64, 3], 0, 20);
@@ -245,7 +321,7 @@ mod tests {
         assert_eq!([plane.get([65, 3], 0), plane.get([129, 69], 0)], [Some(8); 2]);
         for tile in plane.tiles_mut([3, 2]).flatten() {
             tile.change(|value| value / 2);
-            tile.blocks_mut();
+            dispatch!(Level::baseline(), simd => tile.blocks_mut(simd));
         }
         plane.read_row(3, &mut row);
         assert!((0..130).all(|x| row[x] == expected(x, 20) / 2));

@@ -2,19 +2,9 @@
 
 use crate::depth::{DepthKind, DepthPlane};
 use crate::enums as gl;
-use crate::plane::{Blocks, Plane, PlaneTile, TILE_BLOCKS};
-use luxel_math::LANES;
-use luxel_visibility::{BLOCK, BLOCKS, TILE};
-
-/// Columns and rows of a block's lanes.
-pub(super) const LANE_X: [i32; LANES] = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3];
-pub(super) const LANE_Y: [i32; LANES] = [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3];
-
-/// The first pixel of a block within its tile.
-pub(super) fn block_origin(block: usize) -> [i32; 2] {
-    let block = block as i32;
-    [block % BLOCKS * BLOCK, block / BLOCKS * BLOCK]
-}
+use crate::plane::{Blocks, Plane, PlaneTile, PlaneValue, TILE_BLOCKS};
+use luxel_math::{LANES, Simd};
+use luxel_visibility::TILE;
 
 /// A framebuffer with one sample a pixel, or with several. Planes may be larger than it is.
 #[derive(Clone, Debug, Default)]
@@ -75,40 +65,44 @@ impl Default for NoPlanes {
 impl TilePlanes<'_> {
     /// The planes of a sample that are used; what `missing` has in the place of others means nothing.
     #[inline(always)]
-    pub(super) fn sample<'s>(
+    pub(super) fn sample<'s, S: Simd>(
         &'s mut self,
+        simd: S,
         sample: usize,
         missing: &'s mut NoPlanes,
         uses: Uses,
     ) -> SamplePlanes<'s> {
-        fn used<'s, T: Copy>(
-            tiles: &'s mut Option<&mut [PlaneTile<T>]>,
-            sample: usize,
-            uses: bool,
-        ) -> Option<&'s mut Blocks<T>> {
-            let tiles = tiles.as_mut().filter(|_| uses)?;
-            Some(tiles[sample].blocks_mut())
-        }
         SamplePlanes {
-            color: used(&mut self.color, sample, uses.color).unwrap_or(&mut missing.color),
-            depth: used(&mut self.depth, sample, uses.depth).unwrap_or(&mut missing.depth),
+            color: used(simd, &mut self.color, sample, uses.color).unwrap_or(&mut missing.color),
+            depth: used(simd, &mut self.depth, sample, uses.depth).unwrap_or(&mut missing.depth),
             depth_kind: self.depth_kind,
-            stencil: used(&mut self.stencil, sample, uses.stencil).unwrap_or(&mut missing.stencil),
+            stencil: used(simd, &mut self.stencil, sample, uses.stencil)
+                .unwrap_or(&mut missing.stencil),
         }
     }
 
     /// The depths of a sample; what `missing` has in the place of a plane that isn't there means nothing.
     #[inline(always)]
-    pub(super) fn depths<'s>(
+    pub(super) fn depths<'s, S: Simd>(
         &'s mut self,
+        simd: S,
         sample: usize,
         missing: &'s mut NoPlanes,
     ) -> &'s mut Blocks<f32> {
-        match &mut self.depth {
-            Some(tiles) => tiles[sample].blocks_mut(),
-            None => &mut missing.depth,
-        }
+        used(simd, &mut self.depth, sample, true).unwrap_or(&mut missing.depth)
     }
+}
+
+/// The blocks of a sample's tile, if there is one and it is used.
+#[inline(always)]
+fn used<'s, S: Simd, T: PlaneValue>(
+    simd: S,
+    tiles: &'s mut Option<&mut [PlaneTile<T>]>,
+    sample: usize,
+    uses: bool,
+) -> Option<&'s mut Blocks<T>> {
+    let tiles = tiles.as_mut().filter(|_| uses)?;
+    Some(tiles[sample].blocks_mut(simd))
 }
 
 impl Framebuffer {

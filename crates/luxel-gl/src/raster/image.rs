@@ -1,8 +1,7 @@
 //! Images at the raster position, zoomed (OpenGL 1.5, sections 3.6.4 and 4.3.3).
 
-use super::framebuffer::{LANE_X, LANE_Y, block_origin};
 use super::piece_sink::PieceSink;
-use crate::plane::TILE_BLOCKS;
+use crate::plane::{LANE_X, LANE_Y, TILE_BLOCKS, block_origin};
 use luxel_math::{LANES, Simd};
 use luxel_visibility::{Sink, TILE, Tile};
 

@@ -1,12 +1,11 @@
 //! Lights pixels by the entry that they see.
 
 use super::batch::{Batch, Prepared};
-use super::framebuffer::block_origin;
 use super::log::Item;
 use super::pieces::{Piece, Pieces};
 use super::shade::{Shading, encode, shade};
 use super::tile::Entry;
-use crate::plane::Blocks;
+use crate::plane::{Blocks, block_origin};
 use luxel_math::{LANES, Simd, mask32x16, prelude::*, u32x16};
 use luxel_visibility::PackedForms;
 use std::sync::Arc;

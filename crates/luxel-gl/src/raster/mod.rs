@@ -7,7 +7,8 @@
 //!    window.
 //! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
 //!    memory.
-//! 4. `tile`: takes one tile's list in order, `tile_samples` its pieces, `piece_sink` the samples of one (`strokes`: of
+//! 4. `tile`: takes one tile's list in order, `tile_samples` its pieces, `whole_tile` those that it decides about as a
+//!    whole, `piece_sink` the samples of one (`strokes`: of
 //!    lines and points, `smooth`: of those that end within pixels, `outline`: of smooth polygons; `image`: of images;
 //!    `samples`: where these lie). Where colours take no notice of what is there, samples are tested at once and note which
 //!    piece they see, where depth alone decides sixteen small triangles at a time (`small_pieces`); those that are seen at
@@ -44,6 +45,7 @@ mod strokes;
 mod tile;
 mod tile_samples;
 mod triangle_group;
+mod whole_tile;
 
 pub(crate) use batch::Batch;
 pub(crate) use bitmap::Bitmap;

@@ -1,14 +1,14 @@
 //! Takes the samples of one piece: tests, and writes (OpenGL 1.5, section 4.1).
 
 use super::blend::{blended, compare, logic};
-use super::framebuffer::{LANE_X, LANE_Y, SamplePlanes, Uses, block_origin};
+use super::framebuffer::{SamplePlanes, Uses};
 use super::lighter::{Lighter, light_seen};
 use super::pipeline::Pipeline;
 use super::samples::covered_by_alpha;
 use super::shade::{Colors, Shading, decode, encode, shade};
 use super::shaded::ShadedBlocks;
 use super::tile::{Seen, sees_any};
-use crate::plane::TILE_BLOCKS;
+use crate::plane::{LANE_X, LANE_Y, TILE_BLOCKS, block_origin};
 use luxel_math::{LANES, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
 use luxel_visibility::{Sink, Tile};
 use std::sync::atomic::{AtomicU64, Ordering};

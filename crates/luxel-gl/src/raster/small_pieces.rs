@@ -141,7 +141,7 @@ impl SmallSink<u32> for NearestSink<'_, '_> {
         let mut kept = *samples;
         kept.z = planes.depth_kind.moved(samples.z, 0.0);
         let places = kept.places();
-        let depths = planes.depths(samples.sample, missing).as_flattened_mut();
+        let depths = planes.depths(samples.z.simd, samples.sample, missing).as_flattened_mut();
         let seen = seen[samples.sample].as_flattened_mut();
         let mut rest = samples.covered;
         while rest != 0 {

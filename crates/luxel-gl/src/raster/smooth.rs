@@ -1,10 +1,9 @@
 //! Figures that end anywhere within pixels: smooth points, lines and polygons, of which pixels are covered in part (OpenGL
 //! 1.5, sections 3.3, 3.4.2 and 3.5), and those of framebuffers with several samples (sections 3.3.1 and 3.4.4).
 
-use super::framebuffer::{LANE_X, LANE_Y, block_origin};
 use super::outline::Outline;
 use super::piece_sink::PieceSink;
-use crate::plane::TILE_BLOCKS;
+use crate::plane::{LANE_X, LANE_Y, TILE_BLOCKS, block_origin};
 use luxel_math::{LANES, SUBPIXELS, Simd};
 use luxel_visibility::{BLOCK, DepthPlane, Sink, TILE};
 

@@ -1,12 +1,13 @@
 //! One tile's part of the log, in the order of the log.
 
-use super::framebuffer::{LANE_X, LANE_Y, NoPlanes, SamplePlanes, TilePlanes, Uses, block_origin};
+use super::framebuffer::{NoPlanes, SamplePlanes, TilePlanes, Uses};
 use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
 use super::shaded::ShadedBlocks;
 use super::small_pieces::SmallPieces;
 use super::tile_samples::TileSamples;
-use crate::plane::TILE_BLOCKS;
+use crate::depth::DepthRule;
+use crate::plane::{LANE_X, LANE_Y, TILE_BLOCKS, block_origin};
 use luxel_math::{LANES, Simd};
 use luxel_visibility::{Region, TILE};
 
@@ -81,7 +82,7 @@ impl<'a> TileWorker<'a> {
                     if clear.color_mask != 0 && clear.color_mask != u32::MAX {
                         self.light(simd);
                     }
-                    self.clear(clear);
+                    self.clear(simd, clear);
                 }
                 Item::Batch(batch, pieces) => {
                     let piece = &pieces.list()[entry.piece as usize];
@@ -115,7 +116,7 @@ impl<'a> TileWorker<'a> {
             seen.as_flattened_mut().as_flattened_mut().fill(0);
             return;
         };
-        let first = first.blocks_mut();
+        let first = first.blocks_mut(simd);
         for block in 0..TILE_BLOCKS {
             let seen = first_seen[block];
             if sees_any(&seen) {
@@ -123,7 +124,7 @@ impl<'a> TileWorker<'a> {
                 light_seen(simd, *origin, block, of_block, lighter, first);
             }
             for (color, of_sample) in others.iter_mut().zip(others_seen.iter_mut()) {
-                let color = color.blocks_mut();
+                let color = color.blocks_mut(simd);
                 let of_block = &mut of_sample[block];
                 if !sees_any(of_block) {
                     continue;
@@ -141,7 +142,8 @@ impl<'a> TileWorker<'a> {
         }
     }
 
-    fn clear(&mut self, clear: &ClearedTo) {
+    #[inline(always)]
+    fn clear<S: Simd>(&mut self, simd: S, clear: &ClearedTo) {
         let part = self.samples.within(clear.region);
         // What lies beyond the window may be an image's that is larger.
         let whole = part == [0, 0, TILE, TILE] || self.is_exact && part == self.samples.all();
@@ -158,7 +160,7 @@ impl<'a> TileWorker<'a> {
             stencil: clear.stencil_mask != 0,
         };
         for (sample, seen) in seen.iter_mut().enumerate() {
-            clear_part(&mut planes.sample(sample, missing, uses), seen, clear, part);
+            clear_part(&mut planes.sample(simd, sample, missing, uses), seen, clear, part);
         }
     }
 }
@@ -204,12 +206,12 @@ fn clear_all(planes: &mut TilePlanes<'_>, seen: Option<&mut Vec<Seen>>, clear: &
             seen.as_flattened_mut().as_flattened_mut().fill(0);
         }
         for tile in planes.color.as_deref_mut().into_iter().flatten() {
-            tile.fill(clear.color);
+            tile.follow(clear.color);
         }
     }
     if let Some(depth) = clear.depth {
         for tile in planes.depth.as_deref_mut().into_iter().flatten() {
-            tile.fill(depth);
+            tile.follow(DepthRule::even(planes.depth_kind, depth));
         }
     }
     if clear.stencil_mask != 0 {

@@ -12,6 +12,7 @@ use super::shape::Shape;
 use super::smooth::{Course, covered_by_outline, covered_in_part, sampled};
 use super::strokes::{bitmap, line, point};
 use super::tile::Seen;
+use super::whole_tile::WholeTile;
 use luxel_math::Simd;
 use luxel_visibility::{Region, TILE, Triangle, cover};
 
@@ -57,7 +58,7 @@ impl<'a> TileSamples<'a> {
         PieceSink {
             simd,
             sample,
-            planes: self.planes.sample(sample, &mut self.missing, tests.uses),
+            planes: self.planes.sample(simd, sample, &mut self.missing, tests.uses),
             seen: &mut self.seen[sample],
             lighter: &mut self.lighter,
             shaded: &mut self.shaded,
@@ -78,10 +79,36 @@ impl<'a> TileSamples<'a> {
         offsets: &[[i32; 2]],
         tests: Tests<'_>,
     ) {
-        let region = self.region;
         for (sample, &offset) in offsets.iter().enumerate() {
-            cover(simd, triangle, region, offset, &mut self.sink(simd, tests, sample));
+            self.triangle_at(simd, triangle, (sample, offset), tests);
         }
+    }
+
+    /// Takes a triangle into one sample of the pixels, which lies at `offset`.
+    #[inline(always)]
+    fn triangle_at<S: Simd>(
+        &mut self,
+        simd: S,
+        triangle: &Triangle,
+        (sample, offset): (usize, [i32; 2]),
+        tests: Tests<'_>,
+    ) {
+        let region = self.region;
+        if let Some(depths) = &mut self.planes.depth
+            && depths[sample].rule().is_some()
+        {
+            let mut whole = WholeTile {
+                depth: &mut depths[sample],
+                depth_kind: self.planes.depth_kind,
+                seen: &mut self.seen[sample],
+                region,
+                offset,
+            };
+            if whole.take(triangle, tests) {
+                return;
+            }
+        }
+        cover(simd, triangle, region, offset, &mut self.sink(simd, tests, sample));
     }
 
     /// Takes a piece.
@@ -113,16 +140,17 @@ impl<'a> TileSamples<'a> {
             offset: piece.offset,
             samples: batch.samples.as_deref(),
         };
-        let (region, multisample) = (self.region, pipeline.multisample.as_ref());
+        let multisample = pipeline.multisample.as_ref();
         for sample in 0..self.seen.len() {
             if multisample.is_some_and(|of| !of.covers(sample)) {
                 continue;
             }
-            let mut sink = self.sink(simd, tests, sample);
             if let Some(triangle) = &triangle {
-                cover(simd, triangle, region, offset(multisample, sample), &mut sink);
+                let offset = offset(multisample, sample);
+                self.triangle_at(simd, triangle, (sample, offset), tests);
                 continue;
             }
+            let mut sink = self.sink(simd, tests, sample);
             let Some(shape) = shape else { return };
             match *shape {
                 Shape::Triangle(_) => {}

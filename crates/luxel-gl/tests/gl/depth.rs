@@ -160,9 +160,18 @@ pub(crate) struct Drawn {
     moved: bool,
 }
 
-/// Triangles of a few pixels, most of them, in few depths: equally near ones are frequent.
+/// Triangles of a few pixels, most of them.
 pub(crate) fn drawn() -> impl Strategy<Value = Drawn> {
-    let size = prop_oneof![4 => 0.1..3.0_f32, 2 => 3.0..10.0_f32, 1 => 10.0..90.0_f32];
+    drawn_with(prop_oneof![4 => 0.1..3.0_f32, 2 => 3.0..10.0_f32, 1 => 10.0..90.0_f32])
+}
+
+/// Triangles of which many cover tiles.
+pub(crate) fn drawn_large() -> impl Strategy<Value = Drawn> {
+    drawn_with(60.0..600.0_f32)
+}
+
+/// Triangles of that size, in few depths: equally near ones are frequent.
+fn drawn_with(size: impl Strategy<Value = f32>) -> impl Strategy<Value = Drawn> {
     let place = [0.0..100.0_f32, 0.0..70.0_f32];
     let corner = || ([-1.0..1.0_f32, -1.0..1.0_f32], -2..3_i32);
     let func = prop_oneof![6 => 0..4_u32, 1 => 4..12_u32];
@@ -209,6 +218,18 @@ pub(crate) fn draw_all(context: &mut Context, all: &[Drawn], run: usize, waits: 
     }
 }
 
+/// Clears the depth of a pixel of each tile, so that tiles have values of their own.
+pub(crate) fn clear_parts_of_tiles(context: &mut Context, [width, height]: [usize; 2]) {
+    context.enable(gl::SCISSOR_TEST);
+    for y in (0..height).step_by(64) {
+        for x in (0..width).step_by(64) {
+            context.scissor(x as i32 + 5, y as i32 + 3, 1, 1);
+            context.clear(gl::DEPTH_BUFFER_BIT);
+        }
+    }
+    context.disable(gl::SCISSOR_TEST);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
@@ -221,6 +242,27 @@ proptest! {
             context.clear_depth(start);
             context.clear(gl::DEPTH_BUFFER_BIT);
             draw_all(&mut context, &all, run, waits);
+            (pixels(&mut context), depths(&mut context))
+        };
+        prop_assert!(outcome(true) == outcome(false));
+    }
+    #[test]
+    fn section_4_1_6_what_is_decided_about_a_whole_tile_is_as_pixel_by_pixel(
+        all in prop::collection::vec(drawn_large(), 1..12), start in prop::sample::select(vec![0.0, 0.5, 1.0]),
+        is_cut in any::<bool>(),
+    ) {
+        let outcome = |is_written: bool| {
+            let mut context = canvas(200, 140);
+            context.clear_depth(start);
+            context.clear(gl::DEPTH_BUFFER_BIT);
+            if is_written {
+                clear_parts_of_tiles(&mut context, [200, 140]);
+            }
+            if is_cut {
+                context.enable(gl::SCISSOR_TEST);
+                context.scissor(30, 20, 120, 100);
+            }
+            draw_all(&mut context, &all, 1, true);
             (pixels(&mut context), depths(&mut context))
         };
         prop_assert!(outcome(true) == outcome(false));

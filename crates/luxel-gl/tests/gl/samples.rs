@@ -1,7 +1,7 @@
 //! Several samples a pixel (sections 3.2.1 and 4.1.3, EXT_framebuffer_multisample).
 
 use crate::canvas::{canvas, draw, gl};
-use crate::depth::{draw_all, drawn};
+use crate::depth::{clear_parts_of_tiles, draw_all, drawn, drawn_large};
 use luxel_gl::Context;
 use proptest::prelude::*;
 
@@ -175,6 +175,21 @@ proptest! {
             }
             context.clear(gl::DEPTH_BUFFER_BIT);
             draw_all(&mut context, &all, run, waits);
+            resolved(&mut context, name)
+        };
+        prop_assert!(outcome(true) == outcome(false));
+    }
+    #[test]
+    fn section_4_1_6_what_is_decided_about_all_samples_of_a_tile_is_as_one_by_one(
+        all in prop::collection::vec(drawn_large(), 1..12),
+    ) {
+        let outcome = |is_written: bool| {
+            let (mut context, name) = space();
+            context.clear(gl::DEPTH_BUFFER_BIT);
+            if is_written {
+                clear_parts_of_tiles(&mut context, [SIDE as usize; 2]);
+            }
+            draw_all(&mut context, &all, 1, true);
             resolved(&mut context, name)
         };
         prop_assert!(outcome(true) == outcome(false));
