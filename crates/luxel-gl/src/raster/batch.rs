@@ -72,6 +72,16 @@ impl Batch {
             && (pipeline.polygon_stipple.is_none() || !of_polygon)
     }
 
+    /// Whether its fragments may be deferred: they mix with what is there, and none is counted. Without textures, shading
+    /// costs no more than deferring.
+    pub(super) fn may_defer(&self) -> bool {
+        let pipeline = &*self.pipeline;
+        pipeline.textures.is_some()
+            && pipeline.is_mixing()
+            && pipeline.multisample.is_none()
+            && self.samples.is_none()
+    }
+
     /// The planes that its fragments are tested by or written to.
     #[inline(always)]
     pub(super) fn uses(&self) -> Uses {

@@ -88,6 +88,51 @@ impl<'a> Lighter<'a> {
         (self.prepared.places[at] as usize).saturating_sub(1)
     }
 
+    /// Prepares the entries of those lanes that go through the first one's pipeline.
+    #[inline(always)]
+    pub(super) fn prepare_lanes<S: Simd>(
+        &mut self,
+        simd: S,
+        numbers: &[u32; LANES],
+        lanes: u32,
+    ) -> Option<PreparedLanes<'a>> {
+        let all = u32x16::from_slice(simd, &numbers[..]);
+        let leader = numbers[lanes.trailing_zeros() as usize & (LANES - 1)];
+        let batch = self.batch(leader)?;
+        let first_place = self.prepare(leader) as u32;
+        let mut places = u32x16::splat(simd, first_place);
+        let (mut together, mut alike) = (0, true);
+        let mut others = lanes;
+        while others != 0 {
+            let number = numbers[others.trailing_zeros() as usize & (LANES - 1)];
+            let own = all.simd_eq(u32x16::splat(simd, number));
+            let of_number = own.to_bitmask() as u32;
+            others &= !of_number;
+            if self.is_of_pipeline(number, leader, batch) {
+                let place = self.prepare(number) as u32;
+                alike &= place == first_place;
+                places = own.select(u32x16::splat(simd, place), places);
+                together |= of_number;
+            }
+        }
+        let mut of = [0; LANES];
+        places.store_slice(&mut of);
+        Some(PreparedLanes { batch, lanes: together, alike, places: of })
+    }
+
+    /// What shades each lane.
+    #[inline(always)]
+    pub(super) fn of_lanes(&self, lanes: &PreparedLanes<'a>) -> [&Prepared; LANES] {
+        let all = &self.prepared.all;
+        let mut prepared = [&all[lanes.places[0] as usize]; LANES];
+        if !lanes.alike {
+            for (prepared, place) in prepared.iter_mut().zip(lanes.places) {
+                *prepared = &all[place as usize];
+            }
+        }
+        prepared
+    }
+
     #[inline(never)]
     fn prepare_anew(&mut self, number: u32) {
         let Some((batch, pieces, piece)) = self.piece(number) else { return };
@@ -98,6 +143,18 @@ impl<'a> Lighter<'a> {
             batch.prepare(piece, pieces.shape(piece), rows, prepared);
         }
     }
+}
+
+/// Lanes of one pipeline.
+pub(super) struct PreparedLanes<'a> {
+    /// The first one's.
+    batch: &'a Batch,
+    /// A bit each.
+    lanes: u32,
+    /// Whether all are of one entry.
+    pub(super) alike: bool,
+    /// Where each is prepared; those that aren't among the lanes have the first one's.
+    places: [u32; LANES],
 }
 
 /// Lights what the pixels of a block see, each lane by its own primitive, and forgets it.
@@ -120,51 +177,27 @@ pub(super) fn light_seen<S: Simd>(
             let first_pixel = [origin[0] + x, origin[1] + y];
             // Lanes of one pipeline together: nearly always all of them.
             while left != 0 {
-                let leader = seen[left.trailing_zeros() as usize & (LANES - 1)];
-                let Some(first) = lighter.batch(leader) else { return };
-                let first_place = lighter.prepare(leader) as u32;
-                let mut places = u32x16::splat(simd, first_place);
-                let (mut together, mut alike) = (0, true);
-                let mut others = left;
-                while others != 0 {
-                    let number = seen[others.trailing_zeros() as usize & (LANES - 1)];
-                    let own = numbers.simd_eq(u32x16::splat(simd, number));
-                    let lanes = own.to_bitmask() as u32;
-                    others &= !lanes;
-                    if lighter.is_of_pipeline(number, leader, first) {
-                        let place = lighter.prepare(number) as u32;
-                        alike &= place == first_place;
-                        places = own.select(u32x16::splat(simd, place), places);
-                        together |= lanes;
-                    }
-                }
-                let mut place_of = [0; LANES];
-                places.store_slice(&mut place_of);
-                left &= !together;
-                let all = &lighter.prepared.all;
-                let mut prepared = [&all[first_place as usize]; LANES];
-                if !alike {
-                    for (prepared, place) in prepared.iter_mut().zip(place_of) {
-                        *prepared = &all[place as usize];
-                    }
-                }
+                let Some(group) = lighter.prepare_lanes(simd, seen, left) else { return };
+                left &= !group.lanes;
+                let prepared = lighter.of_lanes(&group);
+                let pipeline = &*group.batch.pipeline;
                 let shading = Shading {
-                    textures: first.pipeline.textures.as_ref(),
+                    textures: pipeline.textures.as_ref(),
                     rows: lighter.rows(),
-                    fog: first.pipeline.fog.as_ref(),
+                    fog: pipeline.fog.as_ref(),
                     primary: None,
-                    lanes: together,
+                    lanes: group.lanes,
                 };
                 let colors = shade(
                     simd,
                     first_pixel,
                     #[inline(always)]
                     |lane| prepared[lane & (LANES - 1)],
-                    alike,
+                    group.alike,
                     shading,
                 );
                 let stored = u32x16::from_slice(simd, &color[block]);
-                let mask = mask32x16::from_bitmask(simd, u64::from(together));
+                let mask = mask32x16::from_bitmask(simd, u64::from(group.lanes));
                 mask.select(encode(colors), stored).store_slice(&mut color[block]);
             }
             *seen = [0; LANES];

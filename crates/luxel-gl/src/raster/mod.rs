@@ -8,11 +8,11 @@
 //! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
 //!    memory.
 //! 4. `tile`: takes one tile's list in order, `tile_samples` its pieces, `whole_tile` those that it decides about as a
-//!    whole, `piece_sink` the samples of one (`strokes`: of
-//!    lines and points, `smooth`: of those that end within pixels, `outline`: of smooth polygons; `image`: of images;
-//!    `samples`: where these lie). Where colours take no notice of what is there, samples are tested at once and note which
-//!    piece they see, where depth alone decides sixteen small triangles at a time (`small_pieces`); those that are seen at
-//!    last are lit (`lighter`, `shade`). Where they do, blocks are lit as they come, once for all samples (`shaded`).
+//!    whole, `piece_sink` the samples of one (`strokes`: of lines and points, `smooth`: of those that end within pixels,
+//!    `outline`: of smooth polygons; `image`: of images; `samples`: where these lie). Where colours take no notice of what
+//!    is there, samples are tested at once and note which piece they see, where depth alone decides sixteen small triangles
+//!    at a time (`small_pieces`); those that are seen at last are lit (`lighter`, `shade`). Where they do, blocks are lit
+//!    as they come, once for all samples (`shaded`), those that are covered in part together (`pending`).
 //! 5. `stencil`, `blend`: tests of fragments and mixing of colours.
 //! 6. `framebuffer`: the planes that are drawn to; `blit`: copies between them.
 
@@ -28,6 +28,7 @@ mod image;
 mod lighter;
 mod log;
 mod outline;
+mod pending;
 mod piece_sink;
 mod pieces;
 mod pipeline;

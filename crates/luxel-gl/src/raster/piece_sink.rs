@@ -3,10 +3,11 @@
 use super::blend::{blended, compare, logic};
 use super::framebuffer::{SamplePlanes, Uses};
 use super::lighter::{Lighter, light_seen};
+use super::pending::{BlockFragments, PendingFragments};
 use super::pipeline::Pipeline;
 use super::samples::covered_by_alpha;
 use super::shade::{Colors, Shading, decode, encode, shade};
-use super::shaded::ShadedBlocks;
+use super::shaded::{BlockColors, ShadedBlocks};
 use super::tile::{Seen, sees_any};
 use crate::plane::{LANE_X, LANE_Y, TILE_BLOCKS, block_origin};
 use luxel_math::{LANES, Simd, f32x16, i32x16, lanes_of, mask32x16, prelude::*, u32x16};
@@ -27,6 +28,8 @@ pub(super) struct Tests<'t> {
     pub(super) number: u32,
     /// What depths are moved by.
     pub(super) offset: f32,
+    /// Whether fragments in blocks that are covered in part are deferred.
+    pub(super) defers: bool,
     /// Counts the samples that pass; the sum doesn't depend on the order of tiles.
     pub(super) samples: Option<&'t AtomicU64>,
 }
@@ -40,6 +43,7 @@ pub(super) struct PieceSink<'t, 'a, S> {
     pub(super) seen: &'t mut Seen,
     pub(super) lighter: &'t mut Lighter<'a>,
     pub(super) shaded: &'t mut ShadedBlocks,
+    pub(super) pending: &'t mut PendingFragments,
     pub(super) origin: [i32; 2],
     pub(super) tests: Tests<'t>,
     /// Whether the limits are all pixels of the tile.
@@ -124,21 +128,103 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         lane_x.simd_ge(left) & lane_x.simd_lt(right) & lane_y.simd_ge(bottom) & lane_y.simd_lt(top)
     }
 
+    /// The lanes of a block where a polygon's stipple has a bit; all without one.
+    #[inline(always)]
+    fn stippled(&self, block: usize) -> u32 {
+        let Some(stipple) = self.tests.stipple else { return u32::from(u16::MAX) };
+        let [x, y] = self.first_pixel(block);
+        let bit = |lane: usize| {
+            let (x, y) = ((x + LANE_X[lane]) as usize % 32, (y + LANE_Y[lane]) as usize % 32);
+            stipple[y] >> (31 - x) & 1
+        };
+        (0..LANES).fold(0, |lanes, lane| lanes | bit(lane) << lane)
+    }
+
     /// Fragments by stipple, alpha test, stencil and depth, in the order of section 4.1; then colours into the buffer,
     /// or the piece's number where they take no notice of what is there.
     #[inline(never)]
     pub(super) fn by_all_tests(&mut self, covered: u32, z: &[f32; LANES], block: usize) {
+        if self.tests.defers && self.defers(covered, z, block) {
+            return;
+        }
         let simd = self.simd;
         simd.vectorize(
             #[inline(always)]
-            || self.tested(simd, covered, z, block),
+            || self.tested(simd, (covered, z), block, None),
         );
     }
 
+    /// Defers fragments, unless they fill the block or have colours or coverage of their own: whether it does. Pending ones
+    /// of the same pixels are carried out first.
+    #[inline(never)]
+    fn defers(&mut self, covered: u32, z: &[f32; LANES], block: usize) -> bool {
+        let is_alone =
+            covered == u32::from(u16::MAX) || self.primary.is_some() || self.coverage.is_some();
+        if is_alone {
+            if self.pending.has(block) {
+                self.carry_out_block(block);
+            }
+            return false;
+        }
+        let simd = self.simd;
+        simd.vectorize(
+            #[inline(always)]
+            || self.defer(simd, covered, z, block),
+        );
+        true
+    }
+
     #[inline(always)]
-    fn tested(&mut self, simd: S, mut lanes: u32, z: &[f32; LANES], block: usize) {
-        if let Some(stipple) = self.tests.stipple {
-            lanes &= stippled(stipple, self.origin, block);
+    fn defer(&mut self, simd: S, covered: u32, z: &[f32; LANES], block: usize) {
+        let mut lanes = covered & self.stippled(block);
+        if self.pending.lanes(simd, block) & lanes != 0 {
+            self.carry_out_block(block);
+        }
+        let mut z = f32x16::from_slice(simd, z);
+        let pipeline = self.tests.pipeline;
+        if let Some((func, _)) = pipeline.depth {
+            z = self.planes.depth_kind.moved(z, self.tests.offset);
+            // The depth that is there stays until they are carried out.
+            if pipeline.stencil.is_none() {
+                let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
+                lanes &= compare(func, z, stored).to_bitmask() as u32;
+            }
+        }
+        if lanes != 0 {
+            self.pending.put(self.tests.number, lanes, z, block);
+        }
+    }
+
+    /// Carries out all pending fragments.
+    pub(super) fn carry_out_pending(&mut self) {
+        while let Some(block) = self.pending.any_block() {
+            self.carry_out_block(block);
+        }
+    }
+
+    /// Carries out the pending fragments of a block.
+    #[inline(never)]
+    fn carry_out_block(&mut self, block: usize) {
+        let simd = self.simd;
+        let BlockFragments { lanes, numbers, depths } = self.pending.take(simd, block);
+        let colors = self.colors_of_lanes(&numbers, block, lanes);
+        simd.vectorize(
+            #[inline(always)]
+            || self.tested(simd, (lanes, &depths), block, Some(&colors)),
+        );
+    }
+
+    /// Fragments by all tests. Deferred ones come with their colours, and are stippled and moved already.
+    #[inline(always)]
+    fn tested(
+        &mut self,
+        simd: S,
+        (mut lanes, z): (u32, &[f32; LANES]),
+        block: usize,
+        deferred: Option<&BlockColors>,
+    ) {
+        if deferred.is_none() {
+            lanes &= self.stippled(block);
         }
         // Colours of an image are known now alone.
         let mixing =
@@ -147,7 +233,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         if let Some(multisample) =
             self.tests.pipeline.multisample.as_ref().filter(|of| of.needs_colors())
         {
-            let mut shaded = self.colors(simd, block, lanes);
+            let mut shaded = self.colors(simd, block, lanes, deferred);
             if multisample.alpha_to_coverage {
                 lanes &= covered_by_alpha(shaded[3], self.sample).to_bitmask() as u32;
             }
@@ -159,7 +245,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         if let Some((func, reference)) = self.tests.pipeline.alpha_test {
             let shaded = match colors {
                 Some(shaded) => shaded,
-                None => self.colors(simd, block, lanes),
+                None => self.colors(simd, block, lanes, deferred),
             };
             let reference = f32x16::splat(simd, reference);
             lanes &= compare(func, shaded[3], reference).to_bitmask() as u32;
@@ -175,7 +261,10 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         }
         let after_stencil = passing;
         if let Some((func, writes)) = self.tests.pipeline.depth {
-            let z = self.planes.depth_kind.moved(f32x16::from_slice(simd, z), self.tests.offset);
+            let mut z = f32x16::from_slice(simd, z);
+            if deferred.is_none() {
+                z = self.planes.depth_kind.moved(z, self.tests.offset);
+            }
             let stored = f32x16::from_slice(simd, &self.planes.depth[block]);
             let passes = compare(func, z, stored).to_bitmask() as u32;
             passing &= passes;
@@ -202,7 +291,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         }
         let colors = match colors {
             Some(colors) => colors,
-            None => self.colors(simd, block, passing),
+            None => self.colors(simd, block, passing, deferred),
         };
         if sees_any(&self.seen[block]) {
             let (seen, color) = (&mut self.seen[block], &mut *self.planes.color);
@@ -211,9 +300,18 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         self.mix(simd, passing, colors, block);
     }
 
-    /// The piece's own colours, with coverage in their alphas.
+    /// The piece's own colours, or those of deferred fragments, with coverage in their alphas.
     #[inline(always)]
-    fn colors(&mut self, simd: S, block: usize, lanes: u32) -> Colors<S> {
+    fn colors(
+        &mut self,
+        simd: S,
+        block: usize,
+        lanes: u32,
+        deferred: Option<&BlockColors>,
+    ) -> Colors<S> {
+        if let Some(colors) = deferred {
+            return loaded(simd, colors);
+        }
         let mut colors = self.shaded_colors(simd, block, lanes);
         if let Some(coverage) = &self.coverage {
             colors[3] *= f32x16::from_slice(simd, coverage);
@@ -224,11 +322,7 @@ impl<S: Simd> PieceSink<'_, '_, S> {
     #[inline(always)]
     fn shaded_colors(&mut self, simd: S, block: usize, mut lanes: u32) -> Colors<S> {
         if let Some(colors) = self.shaded.get(self.tests.number, block) {
-            let mut of = [f32x16::splat(simd, 0.0); 4];
-            for (of, color) in of.iter_mut().zip(colors) {
-                *of = f32x16::from_slice(simd, color);
-            }
-            return of;
+            return loaded(simd, colors);
         }
         if self.shaded.keeps() {
             // Other samples may cover other pixels.
@@ -236,22 +330,13 @@ impl<S: Simd> PieceSink<'_, '_, S> {
         }
         let place = self.lighter.prepare(self.tests.number);
         let prepared = self.lighter.at(place);
-        let shading = Shading {
-            textures: self.tests.pipeline.textures.as_ref(),
-            rows: self.lighter.rows(),
-            fog: self.tests.pipeline.fog.as_ref(),
-            primary: self.primary.as_ref(),
-            lanes,
-        };
-        let [x, y] = block_origin(block);
-        let origin = [self.origin[0] + x, self.origin[1] + y];
         let colors = shade(
             simd,
-            origin,
+            self.first_pixel(block),
             #[inline(always)]
             |_| prepared,
             true,
-            shading,
+            self.shading(lanes),
         );
         if let Some(place) = self.shaded.place(self.tests.number, block) {
             for (place, color) in place.iter_mut().zip(colors) {
@@ -259,6 +344,53 @@ impl<S: Simd> PieceSink<'_, '_, S> {
             }
         }
         colors
+    }
+
+    /// Colours of a block, of each lane by its own entry.
+    #[inline(never)]
+    fn colors_of_lanes(&mut self, numbers: &[u32; LANES], block: usize, lanes: u32) -> BlockColors {
+        let simd = self.simd;
+        let mut stored = [[0.0; LANES]; 4];
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let Some(prepared) = self.lighter.prepare_lanes(simd, numbers, lanes) else {
+                    return;
+                };
+                let of = self.lighter.of_lanes(&prepared);
+                let colors = shade(
+                    simd,
+                    self.first_pixel(block),
+                    #[inline(always)]
+                    |lane| of[lane & (LANES - 1)],
+                    prepared.alike,
+                    self.shading(lanes),
+                );
+                for (stored, color) in stored.iter_mut().zip(colors) {
+                    color.store_slice(stored);
+                }
+            },
+        );
+        stored
+    }
+
+    /// The first pixel of a block in the window.
+    #[inline(always)]
+    fn first_pixel(&self, block: usize) -> [i32; 2] {
+        let [x, y] = block_origin(block);
+        [self.origin[0] + x, self.origin[1] + y]
+    }
+
+    /// What fragments of the piece go through after interpolation.
+    #[inline(always)]
+    fn shading(&self, lanes: u32) -> Shading<'_> {
+        Shading {
+            textures: self.tests.pipeline.textures.as_ref(),
+            rows: self.lighter.rows(),
+            fog: self.tests.pipeline.fog.as_ref(),
+            primary: self.primary.as_ref(),
+            lanes,
+        }
     }
 
     /// Writes colours by blending, logical operation and mask.
@@ -279,13 +411,12 @@ impl<S: Simd> PieceSink<'_, '_, S> {
     }
 }
 
-/// The lanes of a block where a polygon's stipple has a bit.
-fn stippled(stipple: &[u32; 32], origin: [i32; 2], block: usize) -> u32 {
-    let [x, y] = block_origin(block);
-    let (x, y) = (origin[0] + x, origin[1] + y);
-    let bit = |lane: usize| {
-        let (x, y) = ((x + LANE_X[lane]) as usize % 32, (y + LANE_Y[lane]) as usize % 32);
-        stipple[y] >> (31 - x) & 1
-    };
-    (0..LANES).fold(0, |lanes, lane| lanes | bit(lane) << lane)
+/// Colours that were kept.
+#[inline(always)]
+fn loaded<S: Simd>(simd: S, kept: &BlockColors) -> Colors<S> {
+    let mut colors = [f32x16::splat(simd, 0.0); 4];
+    for (color, kept) in colors.iter_mut().zip(kept) {
+        *color = f32x16::from_slice(simd, kept);
+    }
+    colors
 }

@@ -4,7 +4,7 @@ use crate::plane::TILE_BLOCKS;
 use luxel_math::LANES;
 
 /// Colours of a block: red, green, blue, alpha of each lane.
-type BlockColors = [[f32; LANES]; 4];
+pub(super) type BlockColors = [[f32; LANES]; 4];
 
 /// Colours by blocks, each of the piece that was shaded there last.
 #[derive(Debug)]

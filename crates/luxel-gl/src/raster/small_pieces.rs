@@ -173,6 +173,7 @@ impl StreamSink<u32> for NearestSink<'_, '_> {
             stipple: None,
             number,
             offset: 0.0,
+            defers: false,
             samples: None,
         };
         self.samples.triangle(simd, &triangle, self.grid().offsets, tests);

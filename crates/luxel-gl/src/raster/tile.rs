@@ -3,6 +3,7 @@
 use super::framebuffer::{NoPlanes, SamplePlanes, TilePlanes, Uses};
 use super::lighter::{Lighter, PreparedEntries, light_seen};
 use super::log::{ClearedTo, Item};
+use super::pending::PendingFragments;
 use super::shaded::ShadedBlocks;
 use super::small_pieces::SmallPieces;
 use super::tile_samples::TileSamples;
@@ -29,6 +30,7 @@ pub(super) struct TileScratch {
     missing: NoPlanes,
     shaded: ShadedBlocks,
     prepared: PreparedEntries,
+    pending: PendingFragments,
 }
 
 /// What carries out one tile's list.
@@ -57,18 +59,29 @@ impl<'a> TileWorker<'a> {
             width: TILE.min(width - origin[0]),
             height: TILE.min(height - origin[1]),
         };
-        let TileScratch { mut seen, missing, mut shaded, prepared } = scratch;
+        let TileScratch { mut seen, missing, mut shaded, prepared, pending } = scratch;
         shaded.restart(samples);
         seen.resize(samples, [[0; LANES]; TILE_BLOCKS]);
         let lighter = Lighter::new(items, list, prepared);
-        let samples = TileSamples { planes, missing, seen, shaded, lighter, origin, region };
+        let pending_of = None;
+        let samples = TileSamples {
+            planes,
+            missing,
+            seen,
+            shaded,
+            lighter,
+            pending,
+            pending_of,
+            origin,
+            region,
+        };
         Self { samples, small: SmallPieces::new(), is_exact, sees: false }
     }
 
     /// Its memory, for the next one.
     pub(super) fn into_scratch(self) -> TileScratch {
-        let TileSamples { seen, missing, shaded, lighter, .. } = self.samples;
-        TileScratch { seen, missing, shaded, prepared: lighter.prepared }
+        let TileSamples { seen, missing, shaded, lighter, pending, .. } = self.samples;
+        TileScratch { seen, missing, shaded, prepared: lighter.prepared, pending }
     }
 
     /// Carries the list out; then lights what is seen at last.
@@ -78,7 +91,7 @@ impl<'a> TileWorker<'a> {
         for (at, entry) in list.iter().enumerate() {
             match self.samples.lighter.item(entry) {
                 Item::Clear(clear) => {
-                    self.small.finish(simd, &mut self.samples);
+                    self.finish(simd);
                     if clear.color_mask != 0 && clear.color_mask != u32::MAX {
                         self.light(simd);
                     }
@@ -90,6 +103,7 @@ impl<'a> TileWorker<'a> {
                     self.sees |= batch.pipeline.color_bits != 0;
                     let may_wait = piece.is_of_corners() && piece.offset == 0.0;
                     if may_wait && self.small.may_take(simd, batch, &mut self.samples) {
+                        self.samples.carry_out_pending(simd);
                         let corners = piece.corners(batch);
                         self.small.push(simd, corners, number, &mut self.samples);
                     } else {
@@ -99,8 +113,15 @@ impl<'a> TileWorker<'a> {
                 }
             }
         }
-        self.small.finish(simd, &mut self.samples);
+        self.finish(simd);
         self.light(simd);
+    }
+
+    /// Draws what defers: small triangles, or fragments that mix with what is there.
+    #[inline(always)]
+    fn finish<S: Simd>(&mut self, simd: S) {
+        self.small.finish(simd, &mut self.samples);
+        self.samples.carry_out_pending(simd);
     }
 
     /// Lights what is seen. A pixel's samples that see the same are lit once, at its centre.

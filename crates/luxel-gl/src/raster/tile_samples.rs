@@ -4,6 +4,7 @@ use super::batch::Batch;
 use super::framebuffer::{NoPlanes, TilePlanes};
 use super::image::image;
 use super::lighter::Lighter;
+use super::pending::PendingFragments;
 use super::piece_sink::{PieceSink, Tests};
 use super::pieces::{Piece, Pieces};
 use super::samples::{Multisample, offset};
@@ -15,6 +16,7 @@ use super::tile::Seen;
 use super::whole_tile::WholeTile;
 use luxel_math::Simd;
 use luxel_visibility::{Region, TILE, Triangle, cover};
+use std::sync::Arc;
 
 /// The samples of a tile.
 pub(super) struct TileSamples<'a> {
@@ -24,6 +26,9 @@ pub(super) struct TileSamples<'a> {
     pub(super) seen: Vec<Seen>,
     pub(super) shaded: ShadedBlocks,
     pub(super) lighter: Lighter<'a>,
+    pub(super) pending: PendingFragments,
+    /// A batch whose tests are those of the pending fragments.
+    pub(super) pending_of: Option<&'a Batch>,
     /// The tile's first pixel in the window.
     pub(super) origin: [i32; 2],
     /// Its pixels that the window has.
@@ -62,6 +67,7 @@ impl<'a> TileSamples<'a> {
             seen: &mut self.seen[sample],
             lighter: &mut self.lighter,
             shaded: &mut self.shaded,
+            pending: &mut self.pending,
             origin: self.origin,
             is_whole: tests.limits == [0, 0, TILE, TILE],
             tests,
@@ -111,6 +117,44 @@ impl<'a> TileSamples<'a> {
         cover(simd, triangle, region, offset, &mut self.sink(simd, tests, sample));
     }
 
+    /// Whether fragments of a batch's pieces may be deferred. Pending ones of another pipeline are carried out.
+    #[inline(always)]
+    fn may_defer<S: Simd>(&mut self, simd: S, batch: &'a Batch) -> bool {
+        let may_defer = batch.may_defer() && self.seen.len() == 1;
+        let pipeline = |of: &Batch| Arc::as_ptr(&of.pipeline);
+        if !may_defer || self.pending_of.is_some_and(|of| pipeline(of) != pipeline(batch)) {
+            self.carry_out_pending(simd);
+        }
+        if may_defer {
+            self.pending_of = Some(batch);
+        }
+        may_defer
+    }
+
+    /// Carries out the pending fragments.
+    #[inline(always)]
+    pub(super) fn carry_out_pending<S: Simd>(&mut self, simd: S) {
+        if let Some(batch) = self.pending_of.take() {
+            self.carry_out_pending_of(simd, batch);
+        }
+    }
+
+    #[inline(never)]
+    fn carry_out_pending_of<S: Simd>(&mut self, simd: S, batch: &'a Batch) {
+        let tests = Tests {
+            pipeline: &batch.pipeline,
+            uses: batch.uses(),
+            limits: self.all(),
+            plain: false,
+            stipple: None,
+            number: 0,
+            offset: 0.0,
+            defers: true,
+            samples: None,
+        };
+        self.sink(simd, tests, 0).carry_out_pending();
+    }
+
     /// Takes a piece.
     #[inline(always)]
     pub(super) fn piece<S: Simd>(
@@ -138,6 +182,7 @@ impl<'a> TileSamples<'a> {
             stipple: pipeline.polygon_stipple.as_ref().filter(|_| of_polygon),
             number,
             offset: piece.offset,
+            defers: self.may_defer(simd, batch),
             samples: batch.samples.as_deref(),
         };
         let multisample = pipeline.multisample.as_ref();

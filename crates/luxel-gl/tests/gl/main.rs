@@ -17,6 +17,7 @@ mod fragments;
 mod framebuffers;
 mod images;
 mod lighting;
+mod mixing;
 mod modes;
 mod pixel_transfer;
 mod queries;

@@ -1,0 +1,87 @@
+//! Fragments that mix with what is there, of pieces that cover blocks in part. They are deferred, so that the fragments of
+//! a block are shaded together, whatever pieces they are of.
+//!
+//! A pixel has one pending fragment at most, and all of a tile go through one pipeline. A second fragment of a pixel, or
+//! a piece with other tests, first has the pending ones carried out: each pixel meets its fragments in the order of the
+//! calls.
+
+use crate::plane::{Blocks, TILE_BLOCKS};
+use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
+
+/// The blocks of a tile, a bit each.
+const WORDS: usize = TILE_BLOCKS / u64::BITS as usize;
+
+/// The pending fragments of a tile.
+#[derive(Debug)]
+pub(super) struct PendingFragments {
+    /// Of each pixel the entry that its fragment is of, from 1 on; 0 without one.
+    numbers: Box<Blocks<u32>>,
+    /// As they are kept.
+    depths: Box<Blocks<f32>>,
+    /// The blocks that have some.
+    blocks: [u64; WORDS],
+}
+
+impl Default for PendingFragments {
+    fn default() -> Self {
+        Self {
+            numbers: Box::new([[0; LANES]; TILE_BLOCKS]),
+            depths: Box::new([[0.0; LANES]; TILE_BLOCKS]),
+            blocks: [0; WORDS],
+        }
+    }
+}
+
+/// The fragments of a block, whose lanes have a bit each.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BlockFragments {
+    pub(super) lanes: u32,
+    pub(super) numbers: [u32; LANES],
+    pub(super) depths: [f32; LANES],
+}
+
+impl PendingFragments {
+    /// Whether a block has some.
+    #[inline(always)]
+    pub(super) fn has(&self, block: usize) -> bool {
+        self.blocks[block / 64] >> (block % 64) & 1 == 1
+    }
+
+    /// The lanes of a block whose pixels have a fragment.
+    #[inline(always)]
+    pub(super) fn lanes<S: Simd>(&self, simd: S, block: usize) -> u32 {
+        if !self.has(block) {
+            return 0;
+        }
+        let numbers = u32x16::from_slice(simd, &self.numbers[block]);
+        !numbers.simd_eq(0).to_bitmask() as u32 & u32::from(u16::MAX)
+    }
+
+    /// Takes fragments of an entry, at pixels that have none.
+    #[inline(always)]
+    pub(super) fn put<S: Simd>(&mut self, number: u32, lanes: u32, z: f32x16<S>, block: usize) {
+        let simd = z.simd;
+        let mask = mask32x16::from_bitmask(simd, u64::from(lanes));
+        let (numbers, depths) = (&mut self.numbers[block], &mut self.depths[block]);
+        let others = u32x16::from_slice(simd, numbers);
+        mask.select(u32x16::splat(simd, number), others).store_slice(numbers);
+        mask.select(z, f32x16::from_slice(simd, depths)).store_slice(depths);
+        self.blocks[block / 64] |= 1 << (block % 64);
+    }
+
+    /// Takes out the fragments of a block.
+    #[inline(always)]
+    pub(super) fn take<S: Simd>(&mut self, simd: S, block: usize) -> BlockFragments {
+        let lanes = self.lanes(simd, block);
+        self.blocks[block / 64] &= !(1 << (block % 64));
+        let numbers = std::mem::replace(&mut self.numbers[block], [0; LANES]);
+        BlockFragments { lanes, numbers, depths: self.depths[block] }
+    }
+
+    /// A block that has some.
+    #[inline(always)]
+    pub(super) fn any_block(&self) -> Option<usize> {
+        let word = self.blocks.iter().position(|word| *word != 0)?;
+        Some(word * 64 + self.blocks[word].trailing_zeros() as usize)
+    }
+}
