@@ -76,10 +76,7 @@ impl Batch {
     /// costs no more than deferring.
     pub(super) fn may_defer(&self) -> bool {
         let pipeline = &*self.pipeline;
-        pipeline.textures.is_some()
-            && pipeline.is_mixing()
-            && pipeline.multisample.is_none()
-            && self.samples.is_none()
+        pipeline.textures.is_some() && pipeline.is_mixing() && self.samples.is_none()
     }
 
     /// The planes that its fragments are tested by or written to.

@@ -1,8 +1,8 @@
 //! Fragments that mix with what is there, of pieces that cover blocks in part. They are deferred, so that the fragments of
 //! a block are shaded together, whatever pieces they are of.
 //!
-//! A pixel has one pending fragment at most, and all of a tile go through one pipeline. A second fragment of a pixel, or
-//! a piece with other tests, first has the pending ones carried out: each pixel meets its fragments in the order of the
+//! A sample has one pending fragment at most, and all of a tile go through one pipeline. A second fragment of a sample, or
+//! a piece with other tests, first has the pending ones carried out: each sample meets its fragments in the order of the
 //! calls.
 
 use crate::plane::{Blocks, TILE_BLOCKS};
@@ -11,7 +11,7 @@ use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
 /// The blocks of a tile, a bit each.
 const WORDS: usize = TILE_BLOCKS / u64::BITS as usize;
 
-/// The pending fragments of a tile.
+/// The pending fragments of one sample of a tile.
 #[derive(Debug)]
 pub(super) struct PendingFragments {
     /// Of each pixel the entry that its fragment is of, from 1 on; 0 without one.
@@ -53,8 +53,14 @@ impl PendingFragments {
         if !self.has(block) {
             return 0;
         }
-        let numbers = u32x16::from_slice(simd, &self.numbers[block]);
+        let numbers = self.numbers(simd, block);
         !numbers.simd_eq(0).to_bitmask() as u32 & u32::from(u16::MAX)
+    }
+
+    /// The entries of a block's fragments; 0 at pixels without one.
+    #[inline(always)]
+    pub(super) fn numbers<S: Simd>(&self, simd: S, block: usize) -> u32x16<S> {
+        u32x16::from_slice(simd, &self.numbers[block])
     }
 
     /// Takes fragments of an entry, at pixels that have none.

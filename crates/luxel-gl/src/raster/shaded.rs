@@ -1,53 +1,64 @@
-//! Colours of the blocks of one piece, shaded once for all samples of their pixels.
+//! Colours of the pixels of a tile, shaded once for all of their samples.
 
 use crate::plane::TILE_BLOCKS;
-use luxel_math::LANES;
+use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
 
 /// Colours of a block: red, green, blue, alpha of each lane.
 pub(super) type BlockColors = [[f32; LANES]; 4];
 
-/// Colours by blocks, each of the piece that was shaded there last.
-#[derive(Debug)]
+/// The colours that pixels were shaded with last. One sample has no use for them.
+#[derive(Debug, Default)]
 pub(super) struct ShadedBlocks {
-    /// The piece's entry, from 1 on; 0 for none.
-    numbers: [u32; TILE_BLOCKS],
+    /// Of each pixel the entry, from 1 on; 0 for none.
+    numbers: Vec<[u32; LANES]>,
     colors: Vec<BlockColors>,
 }
 
-impl Default for ShadedBlocks {
-    fn default() -> Self {
-        Self { numbers: [0; TILE_BLOCKS], colors: Vec::new() }
-    }
-}
-
 impl ShadedBlocks {
-    /// Forgets all, and makes room if pixels have several samples: one sample has no use for it.
+    /// Forgets all, and makes room if pixels have several samples.
     pub(super) fn restart(&mut self, samples: usize) {
-        self.numbers.fill(0);
-        if samples > 1 {
-            self.colors.resize(TILE_BLOCKS, [[0.0; LANES]; 4]);
-        } else {
-            self.colors = Vec::new();
-        }
-    }
-
-    /// The colours of a piece in a block, if they are known.
-    #[inline(always)]
-    pub(super) fn get(&self, number: u32, block: usize) -> Option<&BlockColors> {
-        if self.numbers[block] == number { self.colors.get(block) } else { None }
-    }
-
-    /// Where the colours of a piece in a block are kept, if they are.
-    #[inline(always)]
-    pub(super) fn place(&mut self, number: u32, block: usize) -> Option<&mut BlockColors> {
-        let place = self.colors.get_mut(block)?;
-        self.numbers[block] = number;
-        Some(place)
+        let blocks = if samples > 1 { TILE_BLOCKS } else { 0 };
+        self.numbers.clear();
+        self.numbers.resize(blocks, [0; LANES]);
+        self.colors.resize(blocks, [[0.0; LANES]; 4]);
     }
 
     /// Whether colours are kept.
     #[inline(always)]
     pub(super) fn keeps(&self) -> bool {
         !self.colors.is_empty()
+    }
+
+    /// The colours of a block, if they are kept, and the lanes in which they are those of an entry of each lane's own.
+    #[inline(always)]
+    pub(super) fn get<S: Simd>(
+        &self,
+        numbers: u32x16<S>,
+        block: usize,
+    ) -> Option<(&BlockColors, u32)> {
+        let kept = u32x16::from_slice(numbers.simd, self.numbers.get(block)?);
+        let lanes = kept.simd_eq(numbers).to_bitmask() as u32 & u32::from(u16::MAX);
+        Some((self.colors.get(block)?, lanes))
+    }
+
+    /// Keeps the colours of some lanes of a block.
+    #[inline(always)]
+    pub(super) fn put<S: Simd>(
+        &mut self,
+        numbers: u32x16<S>,
+        colors: [f32x16<S>; 4],
+        lanes: u32,
+        block: usize,
+    ) {
+        let simd = numbers.simd;
+        let (Some(kept), Some(of)) = (self.numbers.get_mut(block), self.colors.get_mut(block))
+        else {
+            return;
+        };
+        let mask = mask32x16::from_bitmask(simd, u64::from(lanes));
+        mask.select(numbers, u32x16::from_slice(simd, kept)).store_slice(kept);
+        for (kept, color) in of.iter_mut().zip(colors) {
+            mask.select(color, f32x16::from_slice(simd, kept)).store_slice(kept);
+        }
     }
 }

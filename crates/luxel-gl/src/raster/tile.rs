@@ -30,7 +30,8 @@ pub(super) struct TileScratch {
     missing: NoPlanes,
     shaded: ShadedBlocks,
     prepared: PreparedEntries,
-    pending: PendingFragments,
+    /// Of each sample: none.
+    pending: Vec<PendingFragments>,
 }
 
 /// What carries out one tile's list.
@@ -59,9 +60,10 @@ impl<'a> TileWorker<'a> {
             width: TILE.min(width - origin[0]),
             height: TILE.min(height - origin[1]),
         };
-        let TileScratch { mut seen, missing, mut shaded, prepared, pending } = scratch;
+        let TileScratch { mut seen, missing, mut shaded, prepared, mut pending } = scratch;
         shaded.restart(samples);
         seen.resize(samples, [[0; LANES]; TILE_BLOCKS]);
+        pending.resize_with(samples, PendingFragments::default);
         let lighter = Lighter::new(items, list, prepared);
         let pending_of = None;
         let samples = TileSamples {

@@ -26,7 +26,8 @@ pub(super) struct TileSamples<'a> {
     pub(super) seen: Vec<Seen>,
     pub(super) shaded: ShadedBlocks,
     pub(super) lighter: Lighter<'a>,
-    pub(super) pending: PendingFragments,
+    /// Of each sample.
+    pub(super) pending: Vec<PendingFragments>,
     /// A batch whose tests are those of the pending fragments.
     pub(super) pending_of: Option<&'a Batch>,
     /// The tile's first pixel in the window.
@@ -120,7 +121,7 @@ impl<'a> TileSamples<'a> {
     /// Whether fragments of a batch's pieces may be deferred. Pending ones of another pipeline are carried out.
     #[inline(always)]
     fn may_defer<S: Simd>(&mut self, simd: S, batch: &'a Batch) -> bool {
-        let may_defer = batch.may_defer() && self.seen.len() == 1;
+        let may_defer = batch.may_defer();
         let pipeline = |of: &Batch| Arc::as_ptr(&of.pipeline);
         if !may_defer || self.pending_of.is_some_and(|of| pipeline(of) != pipeline(batch)) {
             self.carry_out_pending(simd);
@@ -152,7 +153,9 @@ impl<'a> TileSamples<'a> {
             defers: true,
             samples: None,
         };
-        self.sink(simd, tests, 0).carry_out_pending();
+        for sample in 0..self.seen.len() {
+            self.sink(simd, tests, sample).carry_out_pending();
+        }
     }
 
     /// Takes a piece.

@@ -1,6 +1,7 @@
 //! Fragments that mix with what is there (section 4.1): in the order of their calls, whatever they are carried out with.
 
 use crate::canvas::{canvas, depths, draw, gl, pixels};
+use crate::samples::{bind_samples_with_stencil, resolved};
 use luxel_gl::Context;
 use proptest::prelude::*;
 
@@ -139,12 +140,16 @@ fn space() -> (Context, Vec<u32>) {
 type Outcome = (Vec<[u8; 4]>, Vec<f32>, Vec<u8>, u64);
 
 /// Draws runs of primitives; with `waits` all are carried out together.
-fn drawn(runs: &[(Tests, Vec<Primitive>)], waits: bool) -> Outcome {
-    let (mut context, textures) = space();
+fn draw_runs(
+    context: &mut Context,
+    textures: &[u32],
+    runs: &[(Tests, Vec<Primitive>)],
+    waits: bool,
+) -> u64 {
     let mut count = 0;
     let query = context.gen_queries(1)[0];
     for (tests, primitives) in runs {
-        tests.set(&mut context, &textures);
+        tests.set(context, textures);
         for (number, Primitive { mode, corners, color }) in primitives.iter().enumerate() {
             if tests.is_counted && number == primitives.len() / 2 {
                 context.begin_query(SAMPLES_PASSED, query);
@@ -166,9 +171,25 @@ fn drawn(runs: &[(Tests, Vec<Primitive>)], waits: bool) -> Outcome {
             count += context.get_query_object(query, QUERY_RESULT).unwrap();
         }
     }
-    let stencil = stencil_values(&mut context);
     assert_eq!(context.get_error(), gl::NO_ERROR);
+    count
+}
+
+/// What a framebuffer with one sample shows after runs of primitives.
+fn drawn(runs: &[(Tests, Vec<Primitive>)], waits: bool) -> Outcome {
+    let (mut context, textures) = space();
+    let count = draw_runs(&mut context, &textures, runs, waits);
+    let stencil = stencil_values(&mut context);
     (pixels(&mut context), depths(&mut context), stencil, count)
+}
+
+/// What one with four samples shows, and how many passed.
+fn drawn_in_samples(runs: &[(Tests, Vec<Primitive>)], waits: bool) -> (Vec<u8>, u64) {
+    let (mut context, textures) = space();
+    let name = bind_samples_with_stencil(&mut context);
+    context.clear(gl::COLOR_BUFFER_BIT | gl::DEPTH_BUFFER_BIT | STENCIL_BUFFER_BIT);
+    let count = draw_runs(&mut context, &textures, runs, waits);
+    (resolved(&mut context, name), count)
 }
 
 fn stencil_values(context: &mut Context) -> Vec<u8> {
@@ -212,5 +233,12 @@ proptest! {
         runs in prop::collection::vec((tests(), prop::collection::vec(primitive(), 1..24)), 1..8),
     ) {
         prop_assert!(drawn(&runs, true) == drawn(&runs, false));
+    }
+
+    #[test]
+    fn section_4_1_in_each_sample_fragments_mix_in_the_order_of_calls(
+        runs in prop::collection::vec((tests(), prop::collection::vec(primitive(), 1..24)), 1..8),
+    ) {
+        prop_assert!(drawn_in_samples(&runs, true) == drawn_in_samples(&runs, false));
     }
 }

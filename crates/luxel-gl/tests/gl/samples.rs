@@ -11,6 +11,8 @@ const DRAW_FRAMEBUFFER: u32 = 0x8ca9;
 const RENDERBUFFER: u32 = 0x8d41;
 const COLOR_ATTACHMENT0: u32 = 0x8ce0;
 const DEPTH_ATTACHMENT: u32 = 0x8d00;
+const STENCIL_ATTACHMENT: u32 = 0x8d20;
+const STENCIL_INDEX8: u32 = 0x8d48;
 const RGBA8: u32 = 0x8058;
 const DEPTH_COMPONENT24: u32 = 0x81a6;
 const NEAREST: u32 = 0x2600;
@@ -23,34 +25,51 @@ const MULTISAMPLE_BIT: u32 = 0x2000_0000;
 
 const SIDE: i32 = 70;
 
-/// Attaches a new renderbuffer of `samples`.
+/// Attaches a new renderbuffer of `samples` with the canvas's size.
 fn attach(context: &mut Context, place: u32, samples: i32, format: u32) {
     let name = context.gen_renderbuffers(1)[0];
     context.bind_renderbuffer(RENDERBUFFER, name);
-    context.renderbuffer_storage(RENDERBUFFER, samples, format, SIDE, SIDE);
+    let [width, height] = context.default_size().map(|side| side as i32);
+    context.renderbuffer_storage(RENDERBUFFER, samples, format, width, height);
     context.framebuffer_renderbuffer(FRAMEBUFFER, place, RENDERBUFFER, name);
 }
 
 /// A canvas whose pixels have four samples; the framebuffer's name.
 fn space() -> (Context, u32) {
     let mut context = canvas(SIDE as u32, SIDE as u32);
-    let name = context.gen_framebuffers(1)[0];
-    context.bind_framebuffer(FRAMEBUFFER, name);
-    attach(&mut context, COLOR_ATTACHMENT0, 4, RGBA8);
-    attach(&mut context, DEPTH_ATTACHMENT, 4, DEPTH_COMPONENT24);
-    assert_eq!(context.check_framebuffer_status(FRAMEBUFFER), COMPLETE);
+    let name = bind_samples(&mut context);
     (context, name)
 }
 
+/// Goes on with a framebuffer of the canvas's size whose pixels have four samples, without stencil values: its name.
+fn bind_samples(context: &mut Context) -> u32 {
+    let name = context.gen_framebuffers(1)[0];
+    context.bind_framebuffer(FRAMEBUFFER, name);
+    attach(context, COLOR_ATTACHMENT0, 4, RGBA8);
+    attach(context, DEPTH_ATTACHMENT, 4, DEPTH_COMPONENT24);
+    assert_eq!(context.check_framebuffer_status(FRAMEBUFFER), COMPLETE);
+    name
+}
+
+/// The same with stencil values.
+pub(crate) fn bind_samples_with_stencil(context: &mut Context) -> u32 {
+    let name = bind_samples(context);
+    attach(context, STENCIL_ATTACHMENT, 4, STENCIL_INDEX8);
+    assert_eq!(context.check_framebuffer_status(FRAMEBUFFER), COMPLETE);
+    name
+}
+
 /// The mean of the samples.
-fn resolved(context: &mut Context, from: u32) -> Vec<u8> {
+pub(crate) fn resolved(context: &mut Context, from: u32) -> Vec<u8> {
     context.bind_framebuffer(READ_FRAMEBUFFER, from);
     context.bind_framebuffer(DRAW_FRAMEBUFFER, 0);
-    let whole = [0, 0, SIDE, SIDE];
+    let [width, height] = context.default_size().map(|side| side as i32);
+    let whole = [0, 0, width, height];
+    context.disable(gl::SCISSOR_TEST);
     context.blit_framebuffer(whole, whole, gl::COLOR_BUFFER_BIT, NEAREST);
     context.bind_framebuffer(FRAMEBUFFER, 0);
-    let mut bytes = vec![0; (SIDE * SIDE * 4) as usize];
-    context.read_pixels(0, 0, SIDE, SIDE, gl::RGBA, gl::UNSIGNED_BYTE, &mut bytes);
+    let mut bytes = vec![0; (width * height * 4) as usize];
+    context.read_pixels(0, 0, width, height, gl::RGBA, gl::UNSIGNED_BYTE, &mut bytes);
     context.bind_framebuffer(FRAMEBUFFER, from);
     assert_eq!(context.get_error(), gl::NO_ERROR);
     bytes
