@@ -119,7 +119,7 @@ impl<'a> TileWorker<'a> {
         self.light(simd);
     }
 
-    /// Draws what defers: small triangles, or fragments that mix with what is there.
+    /// Draws what is pending: small triangles, or fragments that mix with what is there.
     #[inline(always)]
     fn finish<S: Simd>(&mut self, simd: S) {
         self.small.finish(simd, &mut self.samples);
