@@ -51,11 +51,18 @@ impl<'t> Fetch<'t> {
             let mut places = [0; LANES];
             ((of(deep) * height + of(up)) * width + of(across)).store_slice(&mut places);
             let mut words = [0; LANES];
-            zero.visit(
-                lanes,
-                #[inline(always)]
-                |lane| words[lane] = u32::from_le_bytes(texels[places[lane] as usize]),
-            );
+            if lanes == u32::from(u16::MAX) {
+                // No search for the next lane: a layer of a bilinear texture takes 0.88x the time.
+                for (word, place) in words.iter_mut().zip(places) {
+                    *word = u32::from_le_bytes(texels[place as usize]);
+                }
+            } else {
+                zero.visit(
+                    lanes,
+                    #[inline(always)]
+                    |lane| words[lane] = u32::from_le_bytes(texels[places[lane] as usize]),
+                );
+            }
             let words = u32x16::from_slice(simd, &words);
             return [channel(words, 0), channel(words, 8), channel(words, 16), channel(words, 24)];
         }
