@@ -51,7 +51,7 @@ impl<'t> Fetch<'t> {
             let mut places = [0; LANES];
             ((of(deep) * height + of(up)) * width + of(across)).store_slice(&mut places);
             let mut words = [0; LANES];
-            if lanes == u32::from(u16::MAX) {
+            if lanes == zero.all_lanes() {
                 // No search for the next lane: a layer of a bilinear texture takes 0.88x the time.
                 for (word, place) in words.iter_mut().zip(places) {
                     *word = u32::from_le_bytes(texels[place as usize]);

@@ -145,6 +145,12 @@ impl<'a> Lighter<'a> {
     }
 }
 
+/// The lanes that have an entry, a bit each.
+#[inline(always)]
+pub(super) fn lanes_with_entry<S: Simd>(numbers: u32x16<S>) -> u32 {
+    (!numbers.simd_eq(0)).to_bitmask() as u32
+}
+
 /// Lanes of one pipeline.
 pub(super) struct PreparedLanes<'a> {
     /// The first one's.
@@ -170,9 +176,7 @@ pub(super) fn light_seen<S: Simd>(
     simd.vectorize(
         #[inline(always)]
         || {
-            let numbers = u32x16::from_slice(simd, &seen[..]);
-            let nothing = u32x16::splat(simd, 0);
-            let mut left = !numbers.simd_eq(nothing).to_bitmask() as u32 & u32::from(u16::MAX);
+            let mut left = lanes_with_entry(u32x16::from_slice(simd, &seen[..]));
             let [x, y] = block_origin(block);
             let first_pixel = [origin[0] + x, origin[1] + y];
             // Lanes of one pipeline together: nearly always all of them.

@@ -5,10 +5,11 @@
 //! a piece with other tests, first has the pending ones carried out: each sample meets its fragments in the order of the
 //! calls.
 
+use super::lighter::lanes_with_entry;
 use crate::plane::{Blocks, TILE_BLOCKS};
 use luxel_math::{LANES, Simd, f32x16, mask32x16, prelude::*, u32x16};
 
-/// The blocks of a tile, a bit each.
+/// Words with a bit for each block of a tile.
 const WORDS: usize = TILE_BLOCKS / u64::BITS as usize;
 
 /// The pending fragments of one sample of a tile.
@@ -32,14 +33,6 @@ impl Default for PendingFragments {
     }
 }
 
-/// The fragments of a block, whose lanes have a bit each.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct BlockFragments {
-    pub(super) lanes: u32,
-    pub(super) numbers: [u32; LANES],
-    pub(super) depths: [f32; LANES],
-}
-
 impl PendingFragments {
     /// Whether a block has some.
     #[inline(always)]
@@ -50,11 +43,7 @@ impl PendingFragments {
     /// The lanes of a block whose pixels have a fragment.
     #[inline(always)]
     pub(super) fn lanes<S: Simd>(&self, simd: S, block: usize) -> u32 {
-        if !self.has(block) {
-            return 0;
-        }
-        let numbers = self.numbers(simd, block);
-        !numbers.simd_eq(0).to_bitmask() as u32 & u32::from(u16::MAX)
+        if self.has(block) { lanes_with_entry(self.numbers(simd, block)) } else { 0 }
     }
 
     /// The entries of a block's fragments; 0 at pixels without one.
@@ -75,13 +64,11 @@ impl PendingFragments {
         self.blocks[block / 64] |= 1 << (block % 64);
     }
 
-    /// Takes out the fragments of a block.
+    /// Takes out the fragments of a block: their entries, 0 at pixels without one, and depths.
     #[inline(always)]
-    pub(super) fn take<S: Simd>(&mut self, simd: S, block: usize) -> BlockFragments {
-        let lanes = self.lanes(simd, block);
+    pub(super) fn take(&mut self, block: usize) -> ([u32; LANES], [f32; LANES]) {
         self.blocks[block / 64] &= !(1 << (block % 64));
-        let numbers = std::mem::replace(&mut self.numbers[block], [0; LANES]);
-        BlockFragments { lanes, numbers, depths: self.depths[block] }
+        (std::mem::replace(&mut self.numbers[block], [0; LANES]), self.depths[block])
     }
 
     /// A block that has some.

@@ -2,8 +2,8 @@
 
 use super::blend::{blended, compare, logic};
 use super::framebuffer::{SamplePlanes, Uses};
-use super::lighter::{Lighter, light_seen};
-use super::pending::{BlockFragments, PendingFragments};
+use super::lighter::{Lighter, lanes_with_entry, light_seen};
+use super::pending::PendingFragments;
 use super::pipeline::Pipeline;
 use super::samples::covered_by_alpha;
 use super::shade::{Colors, Shading, decode, encode, shade};
@@ -216,11 +216,14 @@ impl<S: Simd> PieceSink<'_, '_, S> {
     #[inline(never)]
     fn carry_out_block(&mut self, block: usize) {
         let simd = self.simd;
-        let BlockFragments { lanes, numbers, depths } = self.pending[self.sample].take(simd, block);
+        let (numbers, depths) = self.pending[self.sample].take(block);
         let colors = self.colors_of_lanes(&numbers, block);
         simd.vectorize(
             #[inline(always)]
-            || self.tested(simd, (lanes, &depths), block, Some(&colors)),
+            || {
+                let lanes = lanes_with_entry(u32x16::from_slice(simd, &numbers));
+                self.tested(simd, (lanes, &depths), block, Some(&colors));
+            },
         );
     }
 
@@ -370,11 +373,10 @@ impl<S: Simd> PieceSink<'_, '_, S> {
                         wanted = wanted.simd_eq(0).select(others, wanted);
                     }
                 }
-                let given = |of: u32x16<S>| !of.simd_eq(0).to_bitmask() as u32 & ALL_LANES;
                 let known = self.shaded.get(wanted, block).map_or(0, |(_, known)| known);
                 let mut colors = [f32x16::splat(simd, 0.0); 4];
-                if given(own) & !known != 0 {
-                    let lanes = given(wanted) & !known;
+                if lanes_with_entry(own) & !known != 0 {
+                    let lanes = lanes_with_entry(wanted) & !known;
                     let mut numbers = [0; LANES];
                     wanted.store_slice(&mut numbers);
                     let Some(prepared) = self.lighter.prepare_lanes(simd, &numbers, lanes) else {

@@ -37,7 +37,7 @@ impl ShadedBlocks {
         block: usize,
     ) -> Option<(&BlockColors, u32)> {
         let kept = u32x16::from_slice(numbers.simd, self.numbers.get(block)?);
-        let lanes = kept.simd_eq(numbers).to_bitmask() as u32 & u32::from(u16::MAX);
+        let lanes = kept.simd_eq(numbers).to_bitmask() as u32;
         Some((self.colors.get(block)?, lanes))
     }
 

@@ -102,9 +102,10 @@ impl<'a> TileSamples<'a> {
     ) {
         let region = self.region;
         if let Some(depths) = &mut self.planes.depth
-            && depths[sample].rule().is_some()
+            && let Some(&rule) = depths[sample].rule()
         {
             let mut whole = WholeTile {
+                rule,
                 depth: &mut depths[sample],
                 depth_kind: self.planes.depth_kind,
                 seen: &mut self.seen[sample],

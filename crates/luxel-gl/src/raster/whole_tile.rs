@@ -10,8 +10,9 @@ use crate::plane::PlaneTile;
 use luxel_math::SUBPIXELS;
 use luxel_visibility::{Overlap, Region, TILE, Triangle};
 
-/// A tile of one sample whose depths may follow from a rule.
+/// A tile of one sample whose depths follow from a rule.
 pub(super) struct WholeTile<'t> {
+    pub(super) rule: DepthRule,
     pub(super) depth: &'t mut PlaneTile<f32>,
     pub(super) depth_kind: DepthKind,
     pub(super) seen: &'t mut Seen,
@@ -26,7 +27,6 @@ impl WholeTile<'_> {
     /// covers the tile and is seen everywhere. Whether it has been taken.
     #[inline(never)]
     pub(super) fn take(&mut self, triangle: &Triangle, tests: Tests<'_>) -> bool {
-        let Some(rule) = self.depth.rule() else { return false };
         let overlap = triangle.overlap(self.region, self.offset);
         if overlap == Overlap::None {
             return true;
@@ -37,7 +37,7 @@ impl WholeTile<'_> {
         let Region { x, y, .. } = self.region;
         let first = [x * SUBPIXELS + self.offset[0], y * SUBPIXELS + self.offset[1]];
         let depths = DepthRule::of_triangle(self.depth_kind, &triangle.depth, tests.offset, first);
-        match passes(func, depths.range(), rule.range()) {
+        match passes(func, depths.range(), self.rule.range()) {
             Some(false) => true,
             Some(true) if overlap == Overlap::Whole && tests.limits == [0, 0, TILE, TILE] => {
                 if writes {

@@ -246,6 +246,7 @@ proptest! {
         };
         prop_assert!(outcome(true) == outcome(false));
     }
+
     #[test]
     fn section_4_1_6_what_is_decided_about_a_whole_tile_is_as_pixel_by_pixel(
         all in prop::collection::vec(drawn_large(), 1..12), start in prop::sample::select(vec![0.0, 0.5, 1.0]),

@@ -198,6 +198,7 @@ proptest! {
         };
         prop_assert!(outcome(true) == outcome(false));
     }
+
     #[test]
     fn section_4_1_6_what_is_decided_about_all_samples_of_a_tile_is_as_one_by_one(
         all in prop::collection::vec(drawn_large(), 1..12),
