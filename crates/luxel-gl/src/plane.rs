@@ -25,9 +25,9 @@ pub(crate) fn block_origin(block: usize) -> [i32; 2] {
 }
 
 /// What planes have values of.
-pub(crate) trait PlaneValue: Copy {
+pub(crate) trait PlaneValue: Copy + Default + Send + Sync {
     /// What all values of a tile may follow from.
-    type Rule: Copy + std::fmt::Debug;
+    type Rule: Copy + std::fmt::Debug + Send;
 
     /// The value at a column and row of the tile.
     fn by_rule(rule: &Self::Rule, pixel: [i32; 2]) -> Self;
@@ -184,10 +184,7 @@ impl<T: PlaneValue> Plane<T> {
 
     /// The values of the first samples of some lanes' pixels, a bit each; 0 outside. In other lanes they mean nothing.
     #[inline(always)]
-    pub(crate) fn gathered<S: Simd>(&self, [x, y]: [u32x16<S>; 2], lanes: u32) -> [T; LANES]
-    where
-        T: Default,
-    {
+    pub(crate) fn gathered<S: Simd>(&self, [x, y]: [u32x16<S>; 2], lanes: u32) -> [T; LANES] {
         const TILE_BITS: u32 = TILE.ilog2();
         const BLOCK_BITS: u32 = BLOCK.ilog2();
         let across = (self.across * self.samples) as u32;
@@ -227,12 +224,12 @@ impl<T: PlaneValue> Plane<T> {
         }
     }
 
-    /// Reads a row of first samples.
-    pub(crate) fn read_row(&self, y: u32, row: &mut [T]) {
+    /// Reads a row of one sample of the pixels.
+    pub(crate) fn read_row(&self, y: u32, sample: usize, row: &mut [T]) {
         let block_row = (y % TILE as u32 / BLOCK as u32 * BLOCKS as u32) as usize;
         let lane = (y % BLOCK as u32 * BLOCK as u32) as usize;
         let first = (y / TILE as u32) as usize * self.across * self.samples;
-        let tiles = self.tiles[first..].iter().step_by(self.samples);
+        let tiles = self.tiles[first + sample..].iter().step_by(self.samples);
         for (tile, pixels) in tiles.zip(row.chunks_mut(TILE as usize)) {
             if let Some(rule) = tile.rule() {
                 T::row_by_rule(rule, (y % TILE as u32) as i32, pixels);
@@ -249,6 +246,46 @@ impl<T: PlaneValue> Plane<T> {
                 rest.copy_from_slice(&block[lane..lane + rest.len()]);
             }
         }
+    }
+
+    /// Writes a rectangle from its lower left pixel on, on all threads: `fill` gets the number of a row, of a sample, and
+    /// the row's pixels.
+    pub(crate) fn write_rows(
+        &mut self,
+        [left, bottom]: [u32; 2],
+        [width, height]: [u32; 2],
+        fill: &(dyn Fn(u32, usize, &mut [T]) + Sync),
+    ) {
+        let side = TILE as u32;
+        let (samples, right, top) = (self.samples, left + width, bottom + height);
+        let rows = self.tiles.chunks_mut((self.across * samples).max(1));
+        luxel_parallel::each(rows.enumerate(), &|(number, tiles): (usize, &mut [PlaneTile<T>])| {
+            let first = number as u32 * side;
+            let rows = bottom.max(first)..top.min(first + side);
+            if rows.is_empty() {
+                return;
+            }
+            let mut row = vec![T::default(); width as usize];
+            for y in rows {
+                for sample in 0..samples {
+                    fill(y - bottom, sample, &mut row);
+                    let tiles = tiles.iter_mut().skip(sample).step_by(samples);
+                    for (tile, first) in tiles.zip((0..).step_by(TILE as usize)) {
+                        let columns = left.max(first)..right.min(first + side);
+                        if columns.is_empty() {
+                            continue;
+                        }
+                        let blocks =
+                            dispatch_long!(Level::baseline(), simd => tile.blocks_mut(simd));
+                        let pixels = &row[(columns.start - left) as usize..];
+                        for (x, pixel) in columns.zip(pixels) {
+                            let (block, lane) = Tile::place((x - first) as i32, (y % side) as i32);
+                            blocks[block][lane] = *pixel;
+                        }
+                    }
+                }
+            }
+        });
     }
 
     /// The first tiles of the first rows, each with those of all its samples.
@@ -299,7 +336,7 @@ mod tests {
             assert_eq!(plane.gathered([beyond, beyond], u32::from(u16::MAX)), [0; LANES]);
         });
         let mut row = [0; 130];
-        plane.read_row(69, &mut row);
+        plane.read_row(69, 0, &mut row);
         assert!((0..130).all(|x| row[x as usize] == value(x, 69, 0)));
         assert_eq!(plane.tiles_mut([2, 1]).count(), 2);
         assert!(plane.tiles_mut([3, 2]).all(|tile| tile.len() == 2));
@@ -315,7 +352,7 @@ mod tests {
         }
         plane.set([64, 3], 0, 20);
         let mut row = [0; 130];
-        plane.read_row(3, &mut row);
+        plane.read_row(3, 0, &mut row);
         let expected = |x: usize, value: u32| if x == 64 { value } else { 8 };
         assert!((0..130).all(|x| row[x] == expected(x, 20)));
         assert_eq!([plane.get([65, 3], 0), plane.get([129, 69], 0)], [Some(8); 2]);
@@ -323,7 +360,34 @@ mod tests {
             tile.change(|value| value / 2);
             dispatch!(Level::baseline(), simd => tile.blocks_mut(simd));
         }
-        plane.read_row(3, &mut row);
+        plane.read_row(3, 0, &mut row);
         assert!((0..130).all(|x| row[x] == expected(x, 20) / 2));
+    }
+
+    #[test]
+    fn rows_that_are_written_are_read_again_and_leave_what_lies_about_them() {
+        let mut plane = Plane::new([130, 140], 2, 7_u32).unwrap();
+        for tile in plane.tiles_mut([3, 3]).flatten() {
+            tile.follow(5);
+        }
+        let value = |x: u32, y: u32, sample: usize| 1000 + x + 1000 * y + 1_000_000 * sample as u32;
+        let ([left, bottom], [width, height]) = ([61, 3], [68, 130]);
+        plane.write_rows([left, bottom], [width, height], &|row, sample, pixels| {
+            assert_eq!(pixels.len(), width as usize);
+            for (pixel, x) in pixels.iter_mut().zip(left..) {
+                *pixel = value(x, bottom + row, sample);
+            }
+        });
+        let mut row = [0; 130];
+        for y in 0..140 {
+            for sample in 0..2 {
+                plane.read_row(y, sample, &mut row);
+                for (found, x) in row.into_iter().zip(0..) {
+                    let within =
+                        (left..left + width).contains(&x) && (bottom..bottom + height).contains(&y);
+                    assert_eq!(found, if within { value(x, y, sample) } else { 5 }, "{x}, {y}");
+                }
+            }
+        }
     }
 }

@@ -89,7 +89,7 @@ impl Context {
                 for channel in (0..4).filter(|&channel| mask[channel]) {
                     bytes[channel] = (unit(sum[channel] * value) * 255.0 + 0.5) as u8;
                 }
-                context.framebuffer.set_color(at, 0, bytes);
+                context.framebuffer.set_color(at, bytes);
             }
         });
     }

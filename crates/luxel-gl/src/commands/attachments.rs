@@ -179,7 +179,7 @@ fn give<P>(place: &mut Option<P>, plane: Option<P>) {
 fn store_colors(image: &mut TextureImage, layer: u32, colors: &Plane<u32>, size: [u32; 2]) {
     let mut row = vec![0; size[0] as usize];
     for y in 0..size[1] {
-        colors.read_row(y, &mut row);
+        colors.read_row(y, 0, &mut row);
         let first = image.index([0, y, layer]);
         for (x, word) in row.iter().enumerate() {
             image.put(first + x, word.to_le_bytes().map(|byte| f32::from(byte) / 255.0));

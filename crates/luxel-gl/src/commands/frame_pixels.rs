@@ -32,7 +32,7 @@ impl FrameColors<'_> {
 
     /// A row of pixels from the left on, red lowest.
     fn row(&self, y: u32, words: &mut [u32]) {
-        self.framebuffer.color_row(y, words);
+        self.framebuffer.color_row(y, 0, words);
         if !self.has_alpha {
             words.iter_mut().for_each(|word| *word |= 0xff << 24);
         }

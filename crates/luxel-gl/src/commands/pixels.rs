@@ -226,7 +226,7 @@ impl Context {
         let framebuffer = &self.framebuffer;
         let write_row = |row: usize, out: &mut [u8], words: &mut [u32]| {
             let y = if layout.y_up { row } else { height - 1 - row };
-            framebuffer.color_row(y as u32, words);
+            framebuffer.color_row(y as u32, 0, words);
             if bytes {
                 write_bytes(words, order, out);
                 return;

@@ -173,56 +173,23 @@ impl Framebuffer {
             .collect()
     }
 
-    pub(crate) fn set_color(&mut self, at: [u32; 2], sample: usize, color: [u8; 4]) {
+    pub(crate) fn set_color(&mut self, at: [u32; 2], color: [u8; 4]) {
         self.changed = true;
         if let Some(plane) = &mut self.color {
-            plane.set(at, sample, u32::from_le_bytes(color));
-        }
-    }
-
-    /// Changes a depth, as it is kept.
-    pub(super) fn set_depth(&mut self, at: [u32; 2], sample: usize, value: f32) {
-        if let Some(plane) = &mut self.depth {
-            plane.values.set(at, sample, value);
-        }
-    }
-
-    pub(crate) fn set_stencil(&mut self, at: [u32; 2], sample: usize, value: u8) {
-        if let Some(plane) = &mut self.stencil {
-            plane.set(at, sample, u32::from(value));
+            plane.set(at, 0, u32::from_le_bytes(color));
         }
     }
 
     /// Red, green, blue and alpha of a pixel's first sample.
     pub(crate) fn color(&self, at: [u32; 2]) -> [u8; 4] {
-        self.sample_color(at, 0)
-    }
-
-    pub(crate) fn sample_color(&self, at: [u32; 2], sample: usize) -> [u8; 4] {
-        let word = self.color.as_ref().and_then(|plane| plane.get(at, sample));
+        let word = self.color.as_ref().and_then(|plane| plane.get(at, 0));
         word.unwrap_or(0).to_le_bytes()
     }
 
-    /// The mean of a pixel's samples.
-    pub(crate) fn resolved(&self, at: [u32; 2]) -> [u8; 4] {
-        let samples = self.samples();
-        if samples == 1 {
-            return self.color(at);
-        }
-        let count = samples as u32;
-        let mut sums = [0; 4];
-        for sample in 0..samples {
-            for (sum, byte) in sums.iter_mut().zip(self.sample_color(at, sample)) {
-                *sum += u32::from(byte);
-            }
-        }
-        sums.map(|sum| ((2 * sum + count) / (2 * count)) as u8)
-    }
-
-    /// The colours of a row as words, red in the lowest byte.
-    pub(crate) fn color_row(&self, y: u32, row: &mut [u32]) {
+    /// The colours of a row of pixels at one sample as words, red in the lowest byte.
+    pub(crate) fn color_row(&self, y: u32, sample: usize, row: &mut [u32]) {
         match &self.color {
-            Some(plane) => plane.read_row(y, row),
+            Some(plane) => plane.read_row(y, sample, row),
             None => row.fill(0),
         }
     }
@@ -249,10 +216,6 @@ impl Framebuffer {
 
     /// A pixel's stencil value at its first sample.
     pub(crate) fn stencil(&self, at: [u32; 2]) -> u8 {
-        self.sample_stencil(at, 0)
-    }
-
-    pub(crate) fn sample_stencil(&self, at: [u32; 2], sample: usize) -> u8 {
-        self.stencil.as_ref().and_then(|plane| plane.get(at, sample)).unwrap_or(0) as u8
+        self.stencil.as_ref().and_then(|plane| plane.get(at, 0)).unwrap_or(0) as u8
     }
 }

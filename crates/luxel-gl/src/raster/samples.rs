@@ -4,6 +4,7 @@ use luxel_math::{Lanes, SUBPIXELS};
 
 /// Samples of a pixel in framebuffers that have several.
 pub(crate) const SAMPLES: usize = 4;
+const _: () = assert!(SAMPLES.is_power_of_two(), "means are found by shifts");
 
 /// A pixel's centre.
 const CENTRE: [i32; 2] = [SUBPIXELS / 2; 2];
