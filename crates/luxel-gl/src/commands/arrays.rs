@@ -7,7 +7,7 @@ use crate::limits::{STREAM_VERTICES, TEXTURE_UNITS};
 use crate::objects::list::Command;
 use crate::state::arrays::{VertexArray, type_bytes};
 use crate::vertex::{
-    ArrayDraw, ClientMemory, Fetched, Materials, Wanted, byte_range, decode, decode_indices,
+    ArrayDraw, ClientMemory, Fetched, VertexSource, Wanted, byte_range, decode, decode_indices,
 };
 use std::sync::Arc;
 
@@ -470,25 +470,19 @@ impl Context {
 
     /// Draws vertices of arrays, or puts them into the open list.
     fn draw_fetched(&mut self, draw: ArrayDraw) {
+        let draw = Arc::new(draw);
         if self.is_compiling() {
-            let draw = Arc::new(draw);
             if !self.compile(Command::Draw(Arc::clone(&draw))) {
                 self.draw_recorded(&draw);
             }
             return;
         }
-        self.draw_array(&draw);
+        self.draw_vertices(VertexSource::Arrays(draw));
     }
 
     /// Draws vertices that a list holds.
-    pub(crate) fn draw_recorded(&mut self, draw: &ArrayDraw) {
+    pub(crate) fn draw_recorded(&mut self, draw: &Arc<ArrayDraw>) {
         outside_begin!(self);
-        self.draw_array(draw);
-    }
-
-    fn draw_array(&mut self, draw: &ArrayDraw) {
-        let materials = Materials::new(self.state.materials);
-        let vertices = draw.vertices.view(&self.state.current);
-        self.draw_vertices(draw.mode, &vertices, &materials, draw.elements.as_deref());
+        self.draw_vertices(VertexSource::Arrays(Arc::clone(draw)));
     }
 }

@@ -152,9 +152,7 @@ impl Context {
     /// they are carried out.
     pub(super) fn leave_images(&mut self, texture: &TextureHandle) {
         self.log.inherit(locked(texture).bytes_in_use());
-        if self.log.is_full() {
-            self.carry_out();
-        }
+        self.limit_log();
     }
 
     /// The same for a texture.

@@ -7,8 +7,10 @@ use crate::Context;
 use crate::context::{compile, demand, outside_begin, record};
 use crate::enums as gl;
 use crate::limits::{PART_VERTICES, STREAM_VERTICES, TEXTURE_UNITS};
-use crate::objects::list::{Command, Primitives};
-use crate::vertex::{Materials, Vertices};
+use crate::objects::list::Command;
+use crate::vertex::{VertexSource, Vertices, Welded};
+use std::borrow::Cow;
+use std::sync::Arc;
 
 impl Context {
     /// `glBegin`. `GL_INVALID_OPERATION` within another one, `GL_INVALID_ENUM` for a mode that isn't one.
@@ -98,8 +100,8 @@ impl Context {
     }
 
     /// Primitives of a display list, from `glBegin` to `glEnd`.
-    pub(crate) fn primitives_of_list(&mut self, of: &Primitives) {
-        let Primitives { mode, vertices, elements } = of;
+    pub(crate) fn primitives_of_list(&mut self, of: &Arc<Welded>) {
+        let Welded { mode, vertices, elements } = &**of;
         if self.stream.is_open() || self.is_incomplete() {
             // Some of the commands are errors.
             self.begin(*mode);
@@ -110,9 +112,7 @@ impl Context {
         if self.stream.is_waiting() {
             self.draw_waiting();
         }
-        let materials = Materials::new(self.state.materials);
-        let view = vertices.view(&self.state.current);
-        self.draw_vertices(*mode, &view, &materials, Some(elements));
+        self.draw_vertices(VertexSource::Welded(Arc::clone(of)));
         self.vertices_of_list(vertices);
     }
 
@@ -209,7 +209,6 @@ impl Context {
             vertices.push([x, y, 0.0, 1.0]);
         }
         // A quad, as in Mesa: where it is clipped, its diagonal is that of quads.
-        let vertices = vertices.view(&self.state.current);
-        self.draw_vertices(gl::QUADS, &vertices, &Materials::new(self.state.materials), None);
+        self.draw_vertices(VertexSource::Run(gl::QUADS, Cow::Owned(vertices)));
     }
 }

@@ -91,9 +91,7 @@ impl Context {
             stencil_mask: self.state.stencil.write_mask as u8,
         };
         self.log.clear(clear);
-        if self.log.is_full() {
-            self.carry_out();
-        }
+        self.limit_log();
         if has(gl::ACCUM_BUFFER_BIT) {
             self.clear_accumulation();
         }

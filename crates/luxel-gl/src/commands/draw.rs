@@ -8,58 +8,20 @@ use crate::fragment::TextureStages;
 use crate::limits::TEXTURE_UNITS;
 use crate::modes::{FEEDBACK_PARTS, FeedbackVisitor, HitVisitor, UsedVisitor};
 use crate::objects::list::Command;
-use crate::primitive::{Visitor, assemble, assemble_parts, parts};
-use crate::raster::{Batch, Buffers, DrawState, PIECES_RUN, PieceBuilder, Pieces, Pipeline};
+use crate::primitive::Primitives;
+use crate::raster::{
+    Batch, Buffers, DeferredDraw, DrawSetup, DrawState, PIECES_RUN, Pieces, Pipeline,
+};
 use crate::state::current::RasterPosition;
 use crate::vertex::{
-    Materials, Needs, Pass, Processed, Stream, UsedVertices, VertexProcessor, VertexView, Vertices,
+    Materials, Needs, Pass, Processed, Stream, VertexProcessor, VertexSource, Vertices,
     WindowScale, codes,
 };
-use std::ops::Range;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Primitives that become feedback before it is appended to the buffer.
 const FEEDBACK_WAVE: usize = FEEDBACK_PARTS * PIECES_RUN;
-
-/// Draws of so few vertices light them whether they are used or not: with 24 to 60, to leave out what isn't used takes
-/// 0.95 to 0.99 of the time where that is half of them, and 1.04 to 1.16 where there is nothing to leave out.
-const SMALL_DRAW: usize = 64;
-
-/// Primitives of vertices.
-#[derive(Clone, Copy)]
-struct Draw<'a> {
-    mode: u32,
-    is_listed: bool,
-    vertices: &'a VertexView<'a>,
-    materials: &'a Materials,
-    /// Their order; `None` for one after the other.
-    elements: Option<&'a [u32]>,
-}
-
-impl<'a> Draw<'a> {
-    fn of(&self) -> (&'a VertexView<'a>, &'a Materials) {
-        (self.vertices, self.materials)
-    }
-
-    /// What takes note of the vertices that are used, if it is worth while to leave out the others.
-    fn notes_used(&self, processor: &VertexProcessor) -> Option<UsedVertices> {
-        let count = self.vertices.len();
-        (count > SMALL_DRAW && processor.lights()).then(|| UsedVertices::none_of(count))
-    }
-
-    /// How many parts they can be taken in.
-    fn parts(&self) -> usize {
-        parts(self.mode, self.elements.map_or(self.vertices.len(), <[u32]>::len))
-    }
-
-    fn assemble(&self, visitor: &mut impl Visitor) {
-        assemble(self.mode, self.vertices.len(), self.elements, visitor);
-    }
-
-    fn assemble_parts(&self, parts: Range<usize>, visitor: &mut impl Visitor) {
-        assemble_parts(self.mode, self.vertices.len(), self.elements, parts, visitor);
-    }
-}
 
 impl Context {
     /// Draws what waits.
@@ -73,65 +35,72 @@ impl Context {
 
     /// Draws what a stream has.
     pub(crate) fn draw_stream(&mut self, stream: &Stream) {
-        let &Stream { mode, is_listed, ref vertices, ref materials, .. } = stream;
-        let vertices = &vertices.view(&self.state.current);
-        self.draw(&Draw { mode, is_listed, vertices, materials, elements: None });
+        let source = VertexSource::Run(stream.mode, Cow::Borrowed(&stream.vertices));
+        self.draw(source, &stream.materials, stream.is_listed);
     }
 
-    /// Draws vertices in the order of elements; `None` for one after the other.
-    pub(crate) fn draw_vertices(
-        &mut self,
-        mode: u32,
-        vertices: &VertexView<'_>,
-        materials: &Materials,
-        elements: Option<&[u32]>,
-    ) {
-        let is_listed = self.nesting > 0;
-        self.draw(&Draw { mode, is_listed, vertices, materials, elements });
+    /// Draws vertices of one material.
+    pub(crate) fn draw_vertices(&mut self, source: VertexSource<'_>) {
+        let materials = Materials::new(self.state.materials);
+        self.draw(source, &materials, self.nesting > 0);
     }
 
-    fn draw(&mut self, draw: &Draw<'_>) {
-        if draw.vertices.is_empty() {
+    /// Draws vertices; whether they come from a display list.
+    fn draw(&mut self, source: VertexSource<'_>, materials: &Materials, is_listed: bool) {
+        let primitives = Primitives::new(&source, &self.state.current, materials);
+        if primitives.vertices.is_empty() {
             return;
         }
         match self.render_mode {
-            gl::SELECT => self.find_hits(draw),
-            gl::FEEDBACK => self.feed_back(draw),
-            _ => self.render(draw),
+            gl::SELECT => self.find_hits(&primitives, is_listed),
+            gl::FEEDBACK => self.feed_back(&primitives, is_listed),
+            _ => {
+                let Some(setup) = self.draw_setup(is_listed) else { return };
+                if DrawSetup::defers(&primitives) {
+                    let (current, materials) = (self.state.current.clone(), materials.clone());
+                    let source = source.into_owned();
+                    self.log.defer(DeferredDraw { setup, source, current, materials });
+                } else {
+                    let (batch, runs) = setup.make(&primitives, self.log.spare(), self.level);
+                    self.log.draw(batch, runs);
+                }
+                self.limit_log();
+            }
         }
     }
 
     /// Records hits (`GL_SELECT`).
-    fn find_hits(&mut self, draw: &Draw<'_>) {
-        let state = self.draw_state(draw);
-        let mut processed = self.log.spare().vertices();
+    fn find_hits(&mut self, primitives: &Primitives<'_>, is_listed: bool) {
+        let state = self.draw_state(is_listed);
         let processor = self.processor(Needs::default());
-        processor.process(draw.of(), Pass::Both, self.level, &mut processed);
+        let mut processed = self.log.spare().vertices(processor.lists());
+        processor.process(primitives.of(), Pass::Both, self.level, &mut processed);
         let window = self.state.window_transform();
         let mut visitor = HitVisitor::new(&state, &processed, window, &mut self.selection);
-        draw.assemble(&mut visitor);
+        primitives.assemble(&mut visitor);
         visitor.finish();
         self.log.spare().put_vertices(processed);
     }
 
     /// Appends to the feedback buffer (`GL_FEEDBACK`).
-    fn feed_back(&mut self, draw: &Draw<'_>) {
-        let state = self.draw_state(draw);
+    fn feed_back(&mut self, primitives: &Primitives<'_>, is_listed: bool) {
+        let state = self.draw_state(is_listed);
         let [colors, textures] = self.feedback.parts_of_vertices();
         let needs = Needs { window: true, eye: false, colors, textures: u32::from(textures) };
         let processor = self.processor(needs);
         let window = self.state.window_transform();
-        let parts = draw.parts();
-        let mut processed = self.log.spare().vertices();
-        let used = draw.notes_used(&processor);
-        processor.process(draw.of(), Pass::first(used.as_ref()), self.level, &mut processed);
+        let parts = primitives.parts();
+        let mut processed = self.log.spare().vertices(processor.lists());
+        let used = primitives.notes_used(&processor);
+        let of = primitives.of();
+        processor.process(of, Pass::first(used.as_ref()), self.level, &mut processed);
         if let Some(used) = &used {
             luxel_parallel::tasks(parts.div_ceil(PIECES_RUN), &|run| {
                 let run = run * PIECES_RUN..parts.min((run + 1) * PIECES_RUN);
                 let mut visitor = UsedVisitor { state: &state, vertices: &processed, used };
-                draw.assemble_parts(run, &mut visitor);
+                primitives.assemble_parts(run, &mut visitor);
             });
-            processor.process(draw.of(), Pass::Shades(used), self.level, &mut processed);
+            processor.process(of, Pass::Shades(used), self.level, &mut processed);
         }
         // In waves, so that parts take no more memory than the buffer has room for, and a little.
         for start in (0..parts).step_by(FEEDBACK_WAVE) {
@@ -141,7 +110,7 @@ impl Context {
             let (feedback, length) = (&self.feedback, FEEDBACK_WAVE.min(parts - start));
             let runs = luxel_parallel::map(length, PIECES_RUN, &|run| {
                 let mut visitor = FeedbackVisitor::new(&state, &processed, window, feedback.part());
-                draw.assemble_parts(start + run.start..start + run.end, &mut visitor);
+                primitives.assemble_parts(start + run.start..start + run.end, &mut visitor);
                 Some(visitor.finish())
             });
             self.feedback.append(runs.into_iter().flatten());
@@ -149,35 +118,18 @@ impl Context {
         self.log.spare().put_vertices(processed);
     }
 
-    /// Puts a batch into the log (`GL_RENDER`).
-    fn render(&mut self, draw: &Draw<'_>) {
-        let Some((pipeline, viewport)) = self.begin_draw() else { return };
-        let (state, scale, level) = (self.draw_state(draw), self.window_scale(), self.level);
+    /// All state of a draw (`GL_RENDER`); `None` where nothing can be drawn.
+    fn draw_setup(&mut self, is_listed: bool) -> Option<DrawSetup> {
+        let (pipeline, viewport) = self.begin_draw()?;
+        let state = self.draw_state(is_listed);
         let textures = pipeline.textures.as_ref().map_or(0, TextureStages::units);
         let needs = Needs { window: true, eye: state.needs_eye(), colors: true, textures };
-        let processor = self.processor(needs);
-        let mut processed = self.log.spare().vertices();
-        let used = draw.notes_used(&processor);
-        processor.process(draw.of(), Pass::first(used.as_ref()), level, &mut processed);
-        let mut batch = Batch::new(pipeline, viewport, scale, processed);
-        let spare = self.log.spare();
-        let runs = luxel_parallel::map(draw.parts(), PIECES_RUN, &|run| {
-            let mut builder = PieceBuilder::new(&state, &batch, spare.pieces(), level);
-            draw.assemble_parts(run, &mut builder);
-            let pieces = builder.finish();
-            if let Some(used) = &used {
-                pieces.note(used);
-            }
-            pieces
-        });
-        if let Some(used) = &used {
-            processor.process(draw.of(), Pass::Shades(used), level, &mut batch.vertices);
-        }
-        self.finish_draw(batch, runs);
+        let (processor, samples) = (self.processor(needs), self.queries.counter());
+        Some(DrawSetup { processor, state, pipeline, viewport, samples })
     }
 
-    fn draw_state(&self, draw: &Draw<'_>) -> DrawState {
-        DrawState::new(&self.state, self.window_scale(), draw.is_listed)
+    fn draw_state(&self, is_listed: bool) -> DrawState {
+        DrawState::new(&self.state, self.window_scale(), is_listed)
     }
 
     fn processor(&self, needs: Needs) -> VertexProcessor {
@@ -213,6 +165,11 @@ impl Context {
     pub(super) fn finish_draw(&mut self, mut batch: Batch, runs: Vec<Pieces>) {
         batch.samples = self.queries.counter();
         self.log.draw(batch, runs);
+        self.limit_log();
+    }
+
+    /// Carries the log out if it is full.
+    pub(super) fn limit_log(&mut self) {
         if self.log.is_full() {
             self.carry_out();
         }

@@ -8,7 +8,8 @@ use crate::objects::list::Command;
 use crate::objects::map_calls::MapCall;
 use crate::state::current::Current;
 use crate::state::evaluator::{GridAxis, Map, MapTarget};
-use crate::vertex::{Materials, Vertices, evaluator};
+use crate::vertex::{VertexSource, Vertices, evaluator};
+use std::borrow::Cow;
 
 /// A value of an evaluator: a vertex, and what goes with it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -188,8 +189,7 @@ impl Context {
         for place in places {
             append(&mut vertices, &self.evaluated(place, dimensions), &self.state.current);
         }
-        let vertices = vertices.view(&self.state.current);
-        self.draw_vertices(mode, &vertices, &Materials::new(self.state.materials), None);
+        self.draw_vertices(VertexSource::Run(mode, Cow::Owned(vertices)));
     }
 
     /// `glEvalMesh1`: points, or a line, of a run of the grid. `GL_INVALID_ENUM` for other modes, `GL_OUT_OF_MEMORY`

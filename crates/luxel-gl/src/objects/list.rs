@@ -9,7 +9,7 @@ use crate::objects::image_calls::{
     BitmapCall, CopyTexImage, CopyTexSubImage, DrawPixels, TexImage, TexSubImage, WithPixels,
 };
 use crate::objects::map_calls::MapCall;
-use crate::vertex::{ArrayDraw, Vertices, welded};
+use crate::vertex::{ArrayDraw, Vertices, Welded, welded};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -118,7 +118,7 @@ pub(crate) enum Command {
     CopyTexImage(Box<CopyTexImage>),
     CopyTexSubImage(Box<CopyTexSubImage>),
     Draw(Arc<ArrayDraw>),
-    Primitives(Box<Primitives>),
+    Primitives(Arc<Welded>),
     BeginQuery(u32, u32),
     EndQuery(u32),
 }
@@ -132,16 +132,6 @@ impl Command {
             _ => 1,
         }
     }
-}
-
-/// A `glBegin`, its vertices and attributes, and a `glEnd`.
-#[derive(Clone, Debug)]
-pub(crate) struct Primitives {
-    pub(crate) mode: u32,
-    /// Each vertex once.
-    pub(crate) vertices: Vertices,
-    /// Numbers of vertices, in the order of the commands.
-    pub(crate) elements: Vec<u32>,
 }
 
 /// A display list that is being compiled (`glNewList`).
@@ -172,21 +162,20 @@ impl OpenList {
             self.count -= 1;
             self.commands.pop();
             self.run.clear();
-            return self.append(Command::Primitives(Box::new(primitives)));
+            return self.append(Command::Primitives(Arc::new(primitives)));
         }
         self.close_run()?;
         self.append(command)
     }
 
     /// Many primitives that are about to end, as one command, if vertices are repeated in them.
-    fn welded(&self) -> Option<Primitives> {
+    fn welded(&self) -> Option<Welded> {
         let &Command::Begin(mode) = self.commands.last()? else { return None };
         // Fewer wait for others of their kind when the list is called, and are drawn with these.
         if mode > gl::POLYGON || self.run.len() < WAITING_VERTICES {
             return None;
         }
-        let (vertices, elements) = welded(&self.run)?;
-        Some(Primitives { mode, vertices, elements })
+        welded(mode, &self.run)
     }
 
     fn append(&mut self, command: Command) -> Result<(), u32> {

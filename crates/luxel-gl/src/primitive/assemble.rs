@@ -21,7 +21,7 @@ pub(crate) trait Visitor {
 
 /// How many parts the primitives of `count` vertices can be given in: each is a primitive, or all of them where one goes
 /// on from another.
-pub(crate) fn parts(mode: u32, count: usize) -> usize {
+pub(super) fn parts(mode: u32, count: usize) -> usize {
     match mode {
         gl::POINTS => count,
         gl::LINES => count / 2,
@@ -35,7 +35,7 @@ pub(crate) fn parts(mode: u32, count: usize) -> usize {
 
 /// Gives some parts of the primitives of vertices in the order of `elements`, or of `count` vertices one after the
 /// other.
-pub(crate) fn assemble_parts(
+pub(super) fn assemble_parts(
     mode: u32,
     count: usize,
     elements: Option<&[u32]>,
@@ -52,7 +52,7 @@ pub(crate) fn assemble_parts(
 }
 
 /// Gives all primitives.
-pub(crate) fn assemble(
+pub(super) fn assemble(
     mode: u32,
     count: usize,
     elements: Option<&[u32]>,

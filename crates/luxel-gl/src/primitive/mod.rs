@@ -3,6 +3,8 @@
 mod assemble;
 mod clip;
 pub(crate) mod line;
+mod primitives;
 
-pub(crate) use assemble::{Visitor, assemble, assemble_parts, parts};
+pub(crate) use assemble::Visitor;
 pub(crate) use clip::{ClipCorner, Cut, clip_polygon, clip_segment, plane_distances};
+pub(crate) use primitives::Primitives;

@@ -1,6 +1,7 @@
 //! The log: what has been drawn and not yet been carried out, in the order of the calls.
 
 use super::batch::Batch;
+use super::draw::DeferredDraw;
 use super::framebuffer::Framebuffer;
 use super::pieces::Pieces;
 use super::pipeline::Pipeline;
@@ -49,6 +50,8 @@ pub(super) enum Item {
 #[derive(Debug, Default)]
 pub(crate) struct Log {
     items: Vec<Item>,
+    /// Draws whose pieces aren't made, each with the number of items before it.
+    deferred: Vec<(usize, Box<DeferredDraw>)>,
     bytes: usize,
     /// The pipeline of the last draw: the next one often has the same.
     last: Option<Arc<Pipeline>>,
@@ -87,21 +90,18 @@ impl Log {
 
     /// Takes a batch, and all its pieces in runs.
     pub(crate) fn draw(&mut self, batch: Batch, runs: Vec<Pieces>) {
-        let batch = Arc::new(batch);
-        self.bytes += batch.bytes();
-        for pieces in runs {
-            if pieces.list().is_empty() {
-                self.spare.put_pieces(pieces);
-                continue;
-            }
-            self.bytes += size_of::<Item>() + pieces.bytes();
-            let item = Item::Batch(Arc::clone(&batch), pieces);
-            self.items.push(item);
+        let (bytes, before) = (batch.bytes(), self.items.len());
+        put(batch, runs, &mut self.items, &mut self.spare);
+        let items = &self.items[before..];
+        if !items.is_empty() {
+            self.bytes += bytes + items.iter().map(Item::bytes).sum::<usize>();
         }
-        if let Some(unseen) = Arc::into_inner(batch) {
-            self.bytes = self.bytes.saturating_sub(unseen.bytes());
-            self.spare.put_vertices(unseen.vertices);
-        }
+    }
+
+    /// Takes a draw whose pieces aren't made.
+    pub(crate) fn defer(&mut self, draw: DeferredDraw) {
+        self.bytes += draw.bytes();
+        self.deferred.push((self.items.len(), Box::new(draw)));
     }
 
     /// Lists that batches have left.
@@ -121,11 +121,12 @@ impl Log {
 
     /// Whether there is nothing to be carried out.
     pub(crate) fn is_empty(&self) -> bool {
-        self.items.is_empty()
+        self.items.is_empty() && self.deferred.is_empty()
     }
 
     /// Carries everything out, tile by tile, each in the order of the log.
     pub(crate) fn carry_out(&mut self, framebuffer: &mut Framebuffer, level: Level) {
+        self.make_deferred(level);
         let mut items = std::mem::take(&mut self.items);
         self.bytes = 0;
         if !items.is_empty() && !framebuffer.size().contains(&0) {
@@ -142,6 +143,27 @@ impl Log {
         self.items = items;
         // Textures of it may be changed: they are not held any longer.
         self.last = None;
+    }
+
+    /// Puts deferred draws in their places among the items. Each thread makes the pieces of some of them.
+    fn make_deferred(&mut self, level: Level) {
+        if self.deferred.is_empty() {
+            return;
+        }
+        let (deferred, spare) = (std::mem::take(&mut self.deferred), &self.spare);
+        let made = luxel_parallel::map(deferred.len(), 1, &|run| {
+            Some(deferred[run.start].1.make(spare, level))
+        });
+        let mut items = Vec::with_capacity(self.items.len() + deferred.len());
+        let mut others = self.items.drain(..);
+        let mut given = 0;
+        for ((before, _), (batch, runs)) in deferred.iter().zip(made.into_iter().flatten()) {
+            items.extend(others.by_ref().take(before - given));
+            given = *before;
+            put(batch, runs, &mut items, &mut self.spare);
+        }
+        items.extend(others);
+        self.items = items;
     }
 
     fn carry_out_items(&mut self, items: &[Item], framebuffer: &mut Framebuffer, level: Level) {
@@ -167,6 +189,32 @@ impl Log {
             lock().push(worker.into_scratch());
         });
         self.lists.iter_mut().for_each(Vec::clear);
+    }
+}
+
+impl Item {
+    /// Bytes that it takes, without its batch.
+    fn bytes(&self) -> usize {
+        let pieces = match self {
+            Self::Batch(_, pieces) => pieces.bytes(),
+            Self::Clear(_) => 0,
+        };
+        size_of_val(self) + pieces
+    }
+}
+
+/// Puts each run of a batch's pieces among the items. What has none goes to what is spare.
+fn put(batch: Batch, runs: Vec<Pieces>, items: &mut Vec<Item>, spare: &mut Spare) {
+    let batch = Arc::new(batch);
+    for pieces in runs {
+        if pieces.list().is_empty() {
+            spare.put_pieces(pieces);
+        } else {
+            items.push(Item::Batch(Arc::clone(&batch), pieces));
+        }
+    }
+    if let Some(unseen) = Arc::into_inner(batch) {
+        spare.put_vertices(unseen.vertices);
     }
 }
 

@@ -5,8 +5,8 @@
 //! 2. `build`: culls and clips primitives, and makes pieces of them (`triangle_group`: of sixteen triangles at a time;
 //!    `border`: of lines and points, `smooth_fill`: of smooth polygons), by `draw_state`, where `placement` has them in the
 //!    window.
-//! 3. `log`: pieces and clears in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their
-//!    memory.
+//! 3. `draw`: all state of a draw, with which its pieces are made, at once or later; `log`: pieces, clears and deferred
+//!    draws in the order of their calls, sorted into tiles when somebody looks; `spare` keeps their memory.
 //! 4. `tile`: takes one tile's list in order, `tile_samples` its pieces, `whole_tile` those that it decides about as a
 //!    whole, `piece_sink` the samples of one (`strokes`: of lines and points, `smooth`: of those that end within pixels,
 //!    `outline`: of smooth polygons; `image`: of images; `samples`: where these lie). Where colours take no notice of what
@@ -22,6 +22,7 @@ mod blend;
 mod blit;
 mod border;
 mod build;
+mod draw;
 mod draw_state;
 mod framebuffer;
 mod image;
@@ -50,7 +51,8 @@ mod whole_tile;
 
 pub(crate) use batch::Batch;
 pub(crate) use bitmap::Bitmap;
-pub(crate) use build::{PIECES_RUN, PieceBuilder};
+pub(crate) use build::PIECES_RUN;
+pub(crate) use draw::{DeferredDraw, DrawSetup};
 pub(crate) use draw_state::DrawState;
 pub(crate) use framebuffer::Framebuffer;
 pub(crate) use image::{ImagePixels, PlacedImage};

@@ -3,7 +3,7 @@
 use super::build::PIECES_RUN;
 use super::pieces::Pieces;
 use crate::limits::LOG_BYTES;
-use crate::vertex::Processed;
+use crate::vertex::{Lists, Processed};
 use std::sync::{Mutex, PoisonError};
 
 /// Lists of pieces that are kept, and how long these are.
@@ -13,25 +13,37 @@ const LONGEST_LIST: usize = 2 * PIECES_RUN;
 /// Lists with room. Those of vertices take no more memory than the log.
 #[derive(Debug, Default)]
 pub(crate) struct Spare {
-    #[expect(clippy::vec_box, reason = "batches take them and give them back as they are")]
-    vertices: Vec<Box<Processed>>,
+    vertices: Mutex<SpareVertices>,
     pieces: Mutex<Vec<Pieces>>,
+}
+
+/// Lists for vertices, and the bytes that they take.
+#[derive(Debug, Default)]
+struct SpareVertices {
+    #[expect(clippy::vec_box, reason = "batches take them and give them back as they are")]
+    lists: Vec<Box<Processed>>,
     bytes: usize,
 }
 
 impl Spare {
-    /// Lists for vertices.
-    pub(crate) fn vertices(&mut self) -> Box<Processed> {
-        let vertices = self.vertices.pop().unwrap_or_default();
-        self.bytes = self.bytes.saturating_sub(vertices.bytes());
+    /// Lists for vertices; of any thread. Preferably those that the same was written to: what they grow by is cleared.
+    pub(crate) fn vertices(&self, of: Lists) -> Box<Processed> {
+        let mut spare = self.vertices.lock().unwrap_or_else(PoisonError::into_inner);
+        let alike = spare.lists.iter().rposition(|vertices| vertices.lists == of);
+        let vertices = match alike {
+            Some(number) => spare.lists.remove(number),
+            None => spare.lists.pop().unwrap_or_default(),
+        };
+        spare.bytes = spare.bytes.saturating_sub(vertices.bytes());
         vertices
     }
 
     pub(crate) fn put_vertices(&mut self, vertices: Box<Processed>) {
         let bytes = vertices.bytes();
-        if self.bytes + bytes <= LOG_BYTES {
-            self.bytes += bytes;
-            self.vertices.push(vertices);
+        let spare = self.vertices.get_mut().unwrap_or_else(PoisonError::into_inner);
+        if spare.bytes + bytes <= LOG_BYTES {
+            spare.bytes += bytes;
+            spare.lists.push(vertices);
         }
     }
 

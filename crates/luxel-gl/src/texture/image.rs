@@ -124,6 +124,9 @@ impl TextureImage {
     /// Width, height and depth without borders.
     pub(crate) fn inner_size(&self, dimensions: usize) -> [u32; 3] {
         let mut size = self.size;
+        if self.border == 0 {
+            return size;
+        }
         for side in &mut size[..dimensions] {
             *side = side.saturating_sub(2 * self.border);
         }

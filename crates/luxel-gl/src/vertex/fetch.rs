@@ -33,6 +33,22 @@ pub(crate) struct Fetched {
     pub(crate) tex_coords: Vec<Option<Vec<[f32; 4]>>>,
 }
 
+impl Fetched {
+    /// Bytes that it takes.
+    pub(crate) fn bytes(&self) -> usize {
+        fn of<T>(values: Option<&Vec<T>>) -> usize {
+            values.map_or(0, |values| size_of_val(values.as_slice()))
+        }
+        of(Some(&self.positions))
+            + of(self.normals.as_ref())
+            + of(self.colors.as_ref())
+            + of(self.secondary.as_ref())
+            + of(self.edge_flags.as_ref())
+            + of(self.fog_coords.as_ref())
+            + self.tex_coords.iter().map(|values| of(values.as_ref())).sum::<usize>()
+    }
+}
+
 /// Vertices of arrays, and the order in which a draw takes them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ArrayDraw {

@@ -133,7 +133,8 @@ impl VertexProcessor {
         self.lighting.is_some()
     }
 
-    fn lists(&self) -> Lists {
+    /// The lists that vertices are written to.
+    pub(crate) fn lists(&self) -> Lists {
         let lit = self.lighting.as_ref();
         let sides = lit.map_or(1, VertexLighting::sides);
         let separate = lit.map_or(self.color_sum, VertexLighting::is_separate);

@@ -87,10 +87,12 @@ pub(crate) struct Processed {
     pub(crate) tex_coords: [Vec<[f32; 4]>; TEXTURE_UNITS],
     /// Edge flags, if vertices have different ones.
     pub(crate) edge_flags: Vec<bool>,
+    /// Which lists were needed last.
+    pub(crate) lists: Lists,
 }
 
 /// Which lists of [`Processed`] there are, beside clip coordinates, codes and places in the window.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Lists {
     pub(crate) window: bool,
     pub(crate) eye: bool,
@@ -100,6 +102,15 @@ pub(crate) struct Lists {
     pub(crate) fog_coord: bool,
     /// The units with texture coordinates, a bit each.
     pub(crate) textures: u32,
+}
+
+impl Lists {
+    /// Bytes of a vertex in all lists.
+    pub(crate) fn bytes_of_vertex(&self) -> usize {
+        let colors = self.colors + self.secondary + self.textures.count_ones() as usize;
+        let of_four = 1 + usize::from(self.eye) + colors;
+        of_four * size_of::<[f32; 4]>() + size_of::<WindowVertex>() + size_of::<(u16, f32, bool)>()
+    }
 }
 
 /// A run of the lists of [`Processed`]; lists that nobody needs are empty.
@@ -134,6 +145,7 @@ impl Processed {
         fn sized<T: Clone + Default>(list: &mut Vec<T>, count: usize, needed: bool) {
             list.resize(if needed { count } else { 0 }, T::default());
         }
+        self.lists = *lists;
         sized(&mut self.clip, count, true);
         sized(&mut self.codes, count, true);
         sized(&mut self.window, count, lists.window);

@@ -5,9 +5,19 @@ use super::vertices::Vertices;
 /// Places of vertices that are remembered. A mesh names a vertex again soon: what comes late is a vertex of its own.
 const REMEMBERED: usize = 1 << 16;
 
-/// The different vertices of a run, and by their numbers those of the run. `None` if they aren't half as many, or if some
-/// have attributes that are known only when the list is called.
-pub(crate) fn welded(run: &Vertices) -> Option<(Vertices, Vec<u32>)> {
+/// A `glBegin`, its vertices and attributes, and a `glEnd`.
+#[derive(Clone, Debug)]
+pub(crate) struct Welded {
+    pub(crate) mode: u32,
+    /// Each vertex once.
+    pub(crate) vertices: Vertices,
+    /// Numbers of vertices, in the order of the commands.
+    pub(crate) elements: Vec<u32>,
+}
+
+/// The different vertices of a run of primitives, and by their numbers those of the run. `None` if they aren't half as
+/// many, or if some have attributes that are known only when the list is called.
+pub(crate) fn welded(mode: u32, run: &Vertices) -> Option<Welded> {
     if !run.is_known() {
         return None;
     }
@@ -25,7 +35,7 @@ pub(crate) fn welded(run: &Vertices) -> Option<(Vertices, Vec<u32>)> {
         }
         elements.push(*slot);
     }
-    (2 * places.len() <= count).then(|| (run.gathered(&places), elements))
+    (2 * places.len() <= count).then(|| Welded { mode, vertices: run.gathered(&places), elements })
 }
 
 /// Where a position is remembered: its bits, multiplied by odd numbers (of xxHash) so that all of them count.
@@ -39,6 +49,7 @@ fn slot_of(position: [f32; 4]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::enums as gl;
     use crate::state::current::Current;
 
     /// Vertices of a list, by numbers from 0 to 9 that say which of them are alike.
@@ -57,7 +68,7 @@ mod tests {
     fn welded_vertices_are_those_of_the_run_in_their_order() {
         let numbers: Vec<u32> = (0..900_u32).map(|at| at * at % 10).collect();
         let run = run(&numbers);
-        let (welded, elements) = welded(&run).unwrap();
+        let Welded { vertices: welded, elements, .. } = welded(gl::TRIANGLES, &run).unwrap();
         assert_eq!((welded.len(), elements.len()), (6, 900));
         let unwelded = welded.gathered(&elements);
         let current = Current::default();
@@ -82,9 +93,9 @@ mod tests {
             }
         }
         // Two places, each of which remembers the last vertex alone.
-        assert!(welded(&run).is_none());
+        assert!(welded(gl::TRIANGLES, &run).is_none());
         let alike = self::run(&[1, 1, 2, 2, 1, 1]);
-        assert_eq!(welded(&alike).unwrap().1, [0, 0, 1, 1, 0, 0]);
+        assert_eq!(welded(gl::TRIANGLES, &alike).unwrap().elements, [0, 0, 1, 1, 0, 0]);
     }
 
     #[test]
@@ -93,10 +104,10 @@ mod tests {
         (0..9).for_each(|_| run.push([0.0; 4]));
         run.set_normal([1.0, 0.0, 0.0]);
         (0..9).for_each(|_| run.push([0.0; 4]));
-        assert!(welded(&run).is_none());
+        assert!(welded(gl::TRIANGLES, &run).is_none());
         let mut constant = Vertices::default();
         (0..9).for_each(|_| constant.push([0.0; 4]));
-        let (welded, elements) = welded(&constant).unwrap();
+        let Welded { vertices: welded, elements, .. } = welded(gl::TRIANGLES, &constant).unwrap();
         assert_eq!((welded.len(), elements.len()), (1, 9));
         let current = Current { color: [0.5; 4], ..Current::default() };
         assert_eq!(welded.view(&current).color.of(0), [0.5; 4]);

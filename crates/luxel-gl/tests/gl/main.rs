@@ -10,6 +10,7 @@ mod canvas;
 mod clip_control;
 mod color_formats;
 mod coverage;
+mod deferred;
 mod depth;
 mod display_lists;
 mod errors;
