@@ -52,7 +52,15 @@ fn textured(scene: &Scene) -> Scene {
     let image = Image::new("noise", Encoding::Srgb, SIDE, SIDE, texels.collect());
     scene.textures = vec![Texture { image: Arc::new(image), sampler: Sampler::trilinear() }];
     for mesh in &mut scene.meshes {
-        mesh.uvs[0] = mesh.positions.iter().map(|[x, y, _]| [2.0 * x, 2.0 * y]).collect();
+        let corners = mesh.attribute_corners.as_ref().unwrap_or(&mesh.triangles);
+        let used = corners.as_flattened().iter().zip(mesh.triangles.as_flattened());
+        let count = corners.as_flattened().iter().max().map_or(0, |last| *last as usize + 1);
+        let mut uvs = vec![[0.0; 2]; count];
+        for (attribute, position) in used {
+            let [x, y, _] = mesh.positions[*position as usize];
+            uvs[*attribute as usize] = [2.0 * x, 2.0 * y];
+        }
+        mesh.uvs[0] = uvs;
     }
     for material in &mut scene.materials {
         material.base_color = Some(TextureUse::new(TextureId(0)).into());
