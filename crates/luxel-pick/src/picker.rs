@@ -4,13 +4,16 @@ use luxel_bvh::{Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
 use luxel_parallel::Memo;
 use luxel_rays::{BodyTree, SceneRays, WorldHit, WorldRay};
-use luxel_scene::{CoplanarRanks, Mesh, Object, Scene};
+use luxel_scene::{CoplanarRanks, Mesh, Object, Scene, UnsoundScene};
 use std::sync::Arc;
 
 /// Why a scene can't be prepared.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PickError {
+    /// The scene refers to what isn't there.
+    #[error(transparent)]
+    Unsound(#[from] UnsoundScene),
     /// A mesh has too many triangles.
     #[error(transparent)]
     TooManyTriangles(#[from] TooManyForTree),
@@ -37,7 +40,7 @@ impl Picker {
     /// Builds the trees on all threads of the current pool, for the best instruction set of the machine.
     ///
     /// # Errors
-    /// [`PickError`] if a mesh has too many triangles.
+    /// [`PickError`] if the scene isn't [sound](Scene::check) or a mesh has too many triangles.
     pub fn new(scene: impl Into<Arc<Scene>>) -> Result<Self, PickError> {
         Self::with(scene, Quality::Thorough, SimdLevel::Auto)
     }
@@ -45,13 +48,16 @@ impl Picker {
     /// Builds the trees with a given quality and instruction set.
     ///
     /// # Errors
-    /// [`PickError`] if a mesh has too many triangles or the machine lacks the instructions.
+    /// [`PickError`] if the scene isn't [sound](Scene::check), a mesh has too many triangles, or the machine lacks the
+    /// instructions.
     pub fn with(
         scene: impl Into<Arc<Scene>>,
         quality: Quality,
         simd: SimdLevel,
     ) -> Result<Self, PickError> {
-        let rays = SceneRays::with(scene.into(), quality, simd.resolve()?)?;
+        let scene = scene.into();
+        scene.check()?;
+        let rays = SceneRays::with(scene, quality, simd.resolve()?)?;
         Ok(Self::of(Arc::new(rays)))
     }
 

@@ -90,6 +90,12 @@ impl EnvironmentChoice {
         }
     }
 
+    /// Whether its map has all of its texels, if it is one.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        self.map().is_none_or(|map| map.map().is_sound())
+    }
+
     /// The same with these directions [right, up and front](crate::Viewpoint::frame).
     #[must_use]
     pub fn in_frame(self, frame: [DVec3; 3]) -> Self {

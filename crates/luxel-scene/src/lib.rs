@@ -28,6 +28,7 @@ pub mod primitives;
 mod restyle;
 mod scene;
 mod sections;
+mod soundness;
 mod tangents;
 pub mod texture;
 mod topology;
@@ -53,6 +54,7 @@ pub use scene::{Object, Scene, bodies, is_same_matrix};
 pub use sections::{Joiner, SectionRange};
 /// A name of a node or a material, in 24 bytes: up to 23 letters of ASCII take no memory of their own.
 pub use smol_str::SmolStr as Name;
+pub use soundness::{ScenePart, UnsoundScene};
 pub use texture::{Filter, Image, MipLevel, Sampler, Texture, Wrap};
 pub use topology::{Topology, weld};
 pub use triangulate::triangulate;

@@ -1,11 +1,9 @@
 //! Scenes and views as bytes, for other processes: pickles, workers, browsers.
 
-mod soundness;
-
 use luxel_lighting::{EnvironmentMap, Fog};
 use luxel_scene::{
     Background, DVec3, EnvironmentChoice, Image, Meshes, Node, Sampler, Scene, SceneCamera,
-    SceneLight, SceneMaterial, Texture,
+    SceneLight, SceneMaterial, Texture, UnsoundScene,
 };
 use luxel_view::View;
 use serde::de::DeserializeOwned;
@@ -29,6 +27,9 @@ pub enum UnpackError {
     /// A number in them refers to what isn't there.
     #[error("{0} refers to what isn't there")]
     Dangling(String),
+    /// The scene isn't sound.
+    #[error(transparent)]
+    Unsound(#[from] UnsoundScene),
 }
 
 /// A scene whose textures share images by number.
@@ -105,7 +106,7 @@ pub fn unpack(bytes: &[u8]) -> Result<Scene, UnpackError> {
         background: packed.background,
         up: packed.up,
     };
-    soundness::check(&scene).map_err(UnpackError::Dangling)?;
+    scene.check()?;
     Ok(scene)
 }
 
@@ -121,7 +122,7 @@ pub fn pack_view(view: &View) -> Vec<u8> {
 /// [`UnpackError`] if [`pack_view`] of this version didn't make them.
 pub fn unpack_view(bytes: &[u8]) -> Result<View, UnpackError> {
     let view: View = value_of(bytes)?;
-    soundness::check_environment(&view.environment).map_err(UnpackError::Dangling)?;
+    check_environment(view.environment.is_sound())?;
     Ok(view)
 }
 
@@ -154,7 +155,7 @@ pub fn unpack_view_with_map(
     map: Option<&Arc<EnvironmentMap>>,
 ) -> Result<View, UnpackError> {
     let (view, orientation): (View, Option<Orientation>) = value_of(bytes)?;
-    soundness::check_environment(&view.environment).map_err(UnpackError::Dangling)?;
+    check_environment(view.environment.is_sound())?;
     let Some((frame, degrees)) = orientation else { return Ok(view) };
     let map = map.ok_or_else(|| UnpackError::Dangling("the view's environment".to_owned()))?;
     Ok(view.with_environment(EnvironmentChoice::of_map(Arc::clone(map), frame, degrees)))
@@ -172,8 +173,13 @@ pub fn pack_map(map: &EnvironmentMap) -> Vec<u8> {
 /// [`UnpackError`] if [`pack_map`] of this version didn't make them.
 pub fn unpack_map(bytes: &[u8]) -> Result<EnvironmentMap, UnpackError> {
     let map: EnvironmentMap = value_of(bytes)?;
-    soundness::check_map(&map).map_err(UnpackError::Dangling)?;
+    check_environment(map.is_sound())?;
     Ok(map)
+}
+
+fn check_environment(is_sound: bool) -> Result<(), UnpackError> {
+    let lacks = || UnpackError::Dangling("the environment's map".to_owned());
+    if is_sound { Ok(()) } else { Err(lacks()) }
 }
 
 fn bytes_of(value: &impl Serialize) -> Vec<u8> {

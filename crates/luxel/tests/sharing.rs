@@ -1,10 +1,10 @@
-//! Renderers and pickers share a scene, and let go of it.
+//! Renderers and pickers share a scene, if it is sound, and let go of it.
 
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
-use luxel::pick::{PickView, Picker};
+use luxel::pick::{PickError, PickView, Picker};
 use luxel::prelude::*;
-use luxel::render::Cull;
+use luxel::render::{Cull, RenderError};
 use luxel::scene::{MaterialId, Mesh, MeshId, Node, Part, SceneMaterial};
 use std::sync::Arc;
 
@@ -66,6 +66,17 @@ fn a_program_can_keep_a_scene_beside_its_renderer_and_picker() {
     let Kept { scene, renderer, picker } = kept;
     drop((renderer, picker));
     assert_eq!(Arc::strong_count(&scene), 1, "a renderer or a picker leaks its scene");
+}
+
+#[test]
+fn a_scene_that_refers_to_what_is_not_there_is_refused_before_it_is_drawn() {
+    let mut scene = triangle();
+    scene.meshes[0].uvs[0] = vec![[0.0; 2]; 3];
+    let message = "mesh 0: 3 texture coordinates for 4096 attribute vertices";
+    let refused = Renderer::new(scene.clone(), &execution()).err().unwrap();
+    assert!(matches!(refused, RenderError::Unsound(_)) && refused.to_string() == message);
+    let refused = Picker::new(scene).err().unwrap();
+    assert!(matches!(refused, PickError::Unsound(_)) && refused.to_string() == message);
 }
 
 /// Pages of the process in memory.

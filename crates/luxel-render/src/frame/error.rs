@@ -2,7 +2,7 @@
 
 use luxel_math::UnavailableSimdLevel;
 use luxel_rays::TooManyForTree;
-use luxel_scene::Size;
+use luxel_scene::{Size, UnsoundScene};
 use luxel_visibility::TooManyTriangles;
 
 /// Why a view can't be drawn.
@@ -26,6 +26,9 @@ pub enum RenderError {
     /// A place outside of the picture.
     #[error("it lies outside of the picture of {}x{} pixels", .0.width, .0.height)]
     Outside(Size),
+    /// A scene that refers to what isn't there.
+    #[error(transparent)]
+    Unsound(#[from] UnsoundScene),
     /// More triangles than can be numbered.
     #[error(transparent)]
     TooManyTriangles(#[from] TooManyTriangles),

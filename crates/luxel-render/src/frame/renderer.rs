@@ -67,11 +67,12 @@ impl Renderer {
     /// Makes a scene ready: cuts its meshes into clusters.
     ///
     /// # Errors
-    /// [`RenderError`] if the machine can't do what `execution` asks.
+    /// [`RenderError`] if the scene isn't [sound](Scene::check), or if the machine can't do what `execution` asks.
     pub fn new(scene: impl Into<Arc<Scene>>, execution: &Execution) -> Result<Self, RenderError> {
         let scene = scene.into();
         let level = execution.simd.resolve()?;
         let pool = luxel_parallel::pool(execution.threads);
+        luxel_parallel::install(pool.as_ref(), || scene.check())?;
         let frames = if execution.one_frame { Frames::One } else { Frames::Many };
         let mut renderer = Self {
             objects: scene.objects(),

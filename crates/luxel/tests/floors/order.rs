@@ -109,6 +109,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "fit",
             "sections",
             "demos",
+            "soundness",
         ],
     ),
     (
