@@ -53,8 +53,8 @@ type Outcome = Result<(), String>;
 const RUN: usize = 1 << 16;
 
 impl Scene {
-    /// Checks what types don't ensure: that all numbers refer to something, that lists of a mesh fit together, that
-    /// positions are finite, and that nodes have roots. Readers make sound scenes; renderers and pickers refuse others.
+    /// Checks what types don't ensure: that all numbers refer to something, that lists of a mesh fit together, and that
+    /// nodes have roots. Readers make sound scenes; renderers and pickers refuse others. Positions may be anything.
     ///
     /// # Errors
     /// The first thing that isn't sound.
@@ -157,9 +157,6 @@ fn check_mesh(mesh: &Mesh, materials: usize) -> Outcome {
         Some(_) => lists.iter().map(|(_, count)| *count).max().unwrap_or_default(),
         None => positions,
     };
-    if !mesh.origin.is_finite() || !are_finite(mesh.positions.as_flattened()) {
-        return Err("a position isn't finite".to_owned());
-    }
     corners_below(&mesh.triangles, positions, "position")?;
     let corners = mesh.attribute_corners();
     as_long("corners of attributes", corners.len(), triangles, "triangles")?;
@@ -235,13 +232,6 @@ fn numbers_below(numbers: &[u32], count: usize, what: &str) -> Outcome {
         numbers[run].iter().fold(0, |most: u32, number| most.max(*number))
     });
     largest.into_iter().max().map_or(Ok(()), |largest| below(largest as usize, count, what))
-}
-
-/// Whether all numbers are finite.
-fn are_finite(numbers: &[f32]) -> bool {
-    !luxel_parallel::any(numbers.len(), RUN, &|run| {
-        numbers[run].iter().fold(false, |any, number| any | !number.is_finite())
-    })
 }
 
 #[cfg(test)]
