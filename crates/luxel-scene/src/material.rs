@@ -129,6 +129,21 @@ impl Default for SceneMaterial {
 }
 
 impl SceneMaterial {
+    /// All its textures.
+    pub fn textures(&self) -> impl Iterator<Item = &TextureUse> {
+        let textures = [
+            &self.base_color,
+            &self.metallic_roughness,
+            &self.normal,
+            &self.occlusion,
+            &self.emission,
+            &self.specular,
+            &self.ambient,
+            &self.opacity_map,
+        ];
+        textures.into_iter().flatten().map(Box::as_ref)
+    }
+
     /// All its textures, for changing which they are.
     pub fn textures_mut(&mut self) -> impl Iterator<Item = &mut TextureUse> {
         let textures = [

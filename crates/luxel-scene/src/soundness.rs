@@ -1,6 +1,6 @@
 //! What renderers and pickers take for granted of a scene: all that is referred to is there, and lists fit together.
 
-use crate::{EnvironmentChoice, Mesh, Node, NodeId, Placement, Scene, SceneMaterial, TextureUse};
+use crate::{EnvironmentChoice, Mesh, Node, NodeId, Placement, Scene, SceneMaterial};
 use std::fmt;
 
 /// A scene that refers to what isn't there, or whose lists don't fit together.
@@ -123,21 +123,10 @@ fn below(number: usize, count: usize, what: &str) -> Outcome {
 }
 
 fn check_material(material: &SceneMaterial, textures: usize) -> Outcome {
-    let uses = [
-        &material.base_color,
-        &material.metallic_roughness,
-        &material.normal,
-        &material.occlusion,
-        &material.emission,
-        &material.specular,
-        &material.ambient,
-        &material.opacity_map,
-    ];
-    let check = |used: &TextureUse| {
+    material.textures().try_for_each(|used| {
         below(used.texture.index(), textures, "texture")?;
         below(usize::from(used.uv_set), 2, "set of texture coordinates")
-    };
-    uses.into_iter().flatten().try_for_each(|used| check(used))
+    })
 }
 
 fn check_environment(environment: &EnvironmentChoice) -> Outcome {

@@ -205,16 +205,8 @@ fn check(material: &SceneMaterial, pointer: &str) -> Result<(), Error> {
         AlphaMode::Mask { cutoff } => cutoff,
         AlphaMode::Opaque | AlphaMode::Blend => 0.0,
     };
-    let uses = [
-        &material.base_color,
-        &material.metallic_roughness,
-        &material.normal,
-        &material.occlusion,
-        &material.emission,
-    ];
-    let of_uses = uses
-        .into_iter()
-        .flatten()
+    let of_uses = material
+        .textures()
         .flat_map(|usage| usage.transform.iter().copied().chain(std::iter::once(usage.strength)));
     let all_finite = [constants.metallic, constants.roughness, material.opacity, cutoff]
         .into_iter()

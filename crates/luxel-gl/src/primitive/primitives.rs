@@ -14,7 +14,7 @@ const SMALL_DRAW: usize = 64;
 pub(crate) struct Primitives<'a> {
     mode: u32,
     pub(crate) vertices: VertexView<'a>,
-    pub(crate) materials: &'a Materials,
+    materials: &'a Materials,
     /// Their order; `None` for one after the other.
     elements: Option<&'a [u32]>,
 }

@@ -2,11 +2,11 @@
 
 use super::*;
 use crate::{
-    DVec3, Lines, MaterialId, MeshId, Part, Points, SceneLight, Section, TextureId, demos,
-    primitives,
+    DVec3, Lines, MaterialId, MeshId, Part, Points, SceneLight, Section, TextureId, TextureUse,
+    demos, primitives,
 };
 
-/// A ball, which has a seam, a square that shows it as its child, a point and a line.
+/// A ball, which has a seam, with points and a line, in a node below another one.
 fn sound() -> Scene {
     let mut scene = Scene::default();
     let mut ball = primitives::icosphere(1.0, 2);
