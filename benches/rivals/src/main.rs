@@ -7,8 +7,8 @@
 //! 45 degrees high, in tiles of 8x8; and as many chords through the ball. Rows are medians of
 //! rounds that take turns, so that a busy machine is busy for all; hits are counted, as a check.
 
-use luxel_bvh::{Bvh, MeshRays, Quality, Ray};
-use luxel_rivals::{camera_rays, chords, read, rival_ray, rival_triangles};
+use luxel_bvh::{Bvh, MeshRays, Quality, Ray, TooManyForTree};
+use luxel_rivals::{Mesh, camera_rays, chords, read, rival_ray, rival_triangles};
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::cwbvh::builder::build_cwbvh_from_tris;
@@ -75,10 +75,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = arguments.first().ok_or("usage: luxel-rivals MESH.bin [THREADS] [FILTER]")?;
     let threads = arguments.get(1).map_or(Ok(1), |threads| threads.parse())?;
     let filter = arguments.get(2).map_or("", String::as_str);
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?;
+    // Threads of a pool: outside of pools, luxel has its own.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let mesh = read(path)?;
+    Ok(pool.install(|| compare(path, &mesh, filter))?)
+}
+
+/// Measures what `filter` chooses on one mesh, with the threads of the current pool.
+fn compare(path: &str, mesh: &Mesh, filter: &str) -> Result<(), TooManyForTree> {
+    let threads = rayon::current_num_threads();
     let count = mesh.triangles.len();
-    let triangles = rival_triangles(&mesh);
+    let triangles = rival_triangles(mesh);
     let build = |quality| Bvh::build(&mesh.positions, &mesh.triangles, quality);
     let params = BvhBuildParams::medium_build;
     let bvh = build(Quality::Thorough)?;
