@@ -39,9 +39,11 @@ fn a_value_of_the_wrong_type_is_an_error_with_its_pointer() {
 
 #[test]
 fn other_versions_are_refused() {
-    for json in
-        [r#"{"asset":{"version":"1.0"}}"#, r#"{"asset":{"version":"2.1","minVersion":"2.1"}}"#]
-    {
+    for json in [
+        r#"{"asset":{"version":"1.0"}}"#,
+        r#"{"accessors":{"first":{}},"asset":{"version":"1.0.2"}}"#,
+        r#"{"asset":{"version":"2.1","minVersion":"2.1"}}"#,
+    ] {
         assert!(documents::is_unsupported(&text(json).unwrap_err()), "{json}");
     }
     assert!(text("{}").is_err());

@@ -17,7 +17,7 @@ mod place;
 mod read;
 mod schema;
 
-pub use read::{Fault, ReadError, read};
+pub use read::{Fault, ReadError, read, read_asset};
 pub use schema::*;
 
 /// The examples of `README.md`.

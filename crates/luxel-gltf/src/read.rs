@@ -1,6 +1,6 @@
 //! From JSON text to a document, or to the place of what is wrong with it.
 
-use crate::Document;
+use crate::{Asset, Document};
 use crate::place::pointer_at;
 use serde::Deserialize;
 use serde_json::error::Category;
@@ -57,6 +57,16 @@ pub fn read(json: &[u8]) -> Result<Document, ReadError> {
         Document::deserialize(&mut deserializer).map_err(|error| error_of(json, &error))?;
     deserializer.end().map_err(|error| syntax_error(&error))?;
     Ok(document)
+}
+
+/// The asset of a document whose other values may have other types, such as one of glTF 1.0; `None` where it has none.
+#[must_use]
+pub fn read_asset(json: &[u8]) -> Option<Asset> {
+    #[derive(Deserialize)]
+    struct Versioned {
+        asset: Asset,
+    }
+    serde_json::from_slice(json).ok().map(|document: Versioned| document.asset)
 }
 
 /// A value of the wrong type is told by its pointer, bad syntax by its line.

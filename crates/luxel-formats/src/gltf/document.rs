@@ -5,7 +5,7 @@ use super::extensions;
 use crate::memory::Memory;
 use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Place};
-use luxel_gltf::{Document, Fault, ReadError};
+use luxel_gltf::{Asset, Document, Fault, ReadError};
 
 /// Upper bounds of the memory that a JSON object and a JSON value take once parsed: more than the
 /// size of the largest structure of the schema, divided by the shortest text that makes one.
@@ -25,19 +25,28 @@ pub(crate) fn parse(
     // GLB pads the text with spaces, but some exporters write zeros.
     let end = container.json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
     let json = &container.json[..end];
-    let document = luxel_gltf::read(json).map_err(|error| json_error(container, error))?;
-    check_version(&document)?;
-    extensions::check(&document, warnings)?;
-    Ok(document)
-}
-
-fn check_version(document: &Document) -> Result<(), Error> {
-    let unsupported = |pointer: &str, message| {
-        Err(Error::at(Place::Pointer(pointer.to_owned()), ErrorKind::Unsupported(message)))
+    let document = match luxel_gltf::read(json) {
+        Ok(document) => document,
+        Err(error) => {
+            // Values of other types may be those of another version.
+            if let Some(asset) = luxel_gltf::read_asset(json) {
+                check_version(&asset)?;
+            }
+            return Err(json_error(container, error));
+        }
     };
     let Some(asset) = &document.asset else {
         let message = "`asset` with its `version` is missing: this is not a glTF document";
         return Err(Error::at(Place::Pointer(String::new()), ErrorKind::Malformed(message.into())));
+    };
+    check_version(asset)?;
+    extensions::check(&document, warnings)?;
+    Ok(document)
+}
+
+fn check_version(asset: &Asset) -> Result<(), Error> {
+    let unsupported = |pointer: &str, message| {
+        Err(Error::at(Place::Pointer(pointer.to_owned()), ErrorKind::Unsupported(message)))
     };
     // Later minor versions stay readable by 2.0 readers unless `minVersion` asks for more.
     if asset.version.split('.').next() != Some("2") {
