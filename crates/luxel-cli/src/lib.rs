@@ -4,6 +4,7 @@
 //! work failed; 2: wrong usage; 3: a check has findings.
 
 #![forbid(unsafe_code)]
+#![cfg_attr(not(feature = "batch"), expect(dead_code, reason = "batches alone use some of it"))]
 
 mod camera;
 mod cli;
@@ -21,6 +22,8 @@ mod progress;
 mod scene_file;
 mod several_models;
 mod surface;
+#[cfg(feature = "batch")]
+pub mod tasks;
 mod values;
 mod view;
 
@@ -31,47 +34,12 @@ use console::{Console, report};
 use failure::Failure;
 use scene_file::Refusal;
 use std::ffi::{OsStr, OsString};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// The program, with the arguments of the process.
 #[must_use]
 pub fn main() -> ExitCode {
     ExitCode::from(main_as(Vec::new(), std::env::args_os().collect()))
-}
-
-/// A task of `luxel batch`, drawn in this process.
-pub use commands::batch::{DrawnOutput, DrawnTask};
-pub use luxel_batch::{Seat, root};
-
-/// Draws a task of a list, a line of JSON, in this process. Models are relative to a folder.
-///
-/// # Errors
-/// What the manifest says of a task that failed.
-pub fn draw_task(line: &str, folder: PathBuf) -> Result<DrawnTask, String> {
-    commands::batch::draw_in_memory(line, folder)
-}
-
-/// The id of a task, a line of JSON.
-///
-/// # Errors
-/// What the manifest says of a line without one, after its place.
-pub fn task_id(line: &str) -> Result<String, String> {
-    luxel_batch::id_of(line).map_err(|error| error.text)
-}
-
-/// A worker process for tasks of a list whose models are relative to a folder. Outputs are written below `root` by way of
-/// `parts`; `flags` are those of `luxel batch` on execution. `program` starts this program, as in [`main_as`].
-///
-/// # Errors
-/// The message for flags that are refused.
-pub fn worker(
-    program: Vec<OsString>,
-    [folder, root, parts]: [PathBuf; 3],
-    flags: &[String],
-) -> Result<Seat, String> {
-    program::set_line(program);
-    commands::batch::seat(folder, [root, parts], flags)
 }
 
 /// The status of the program with these arguments, of which the first is its name. `program` is the line that starts it as a process

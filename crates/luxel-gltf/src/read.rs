@@ -1,7 +1,7 @@
 //! From JSON text to a document, or to the place of what is wrong with it.
 
-use crate::{Asset, Document};
 use crate::place::pointer_at;
+use crate::{Asset, Document};
 use serde::Deserialize;
 use serde_json::error::Category;
 use std::fmt;

@@ -47,4 +47,5 @@ pub use luxel_view::{
     NormalLength, ParseLayerError, Shading, ShadingMode, View,
 };
 pub use luxel_visibility::TILE as TILE_SIDE;
+#[cfg(feature = "vectors")]
 pub use vector::{MAX_PIECES, Svg, SvgOptions};

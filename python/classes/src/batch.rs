@@ -20,8 +20,8 @@ pub(crate) fn draw_task<'py>(
     line: &str,
     folder: PathBuf,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let drawn = py.detach(|| luxel_cli::draw_task(line, folder)).map_err(error)?;
-    let entry = |output: &luxel_cli::DrawnOutput| {
+    let drawn = py.detach(|| luxel_cli::tasks::draw_task(line, folder)).map_err(error)?;
+    let entry = |output: &luxel_cli::tasks::DrawnOutput| {
         let entry = PyDict::new(py);
         entry.set_item("view", output.view)?;
         entry.set_item("name", &output.name)?;
@@ -41,7 +41,7 @@ pub(crate) fn draw_task<'py>(
 /// The id of a task, a line of JSON.
 #[pyfunction]
 pub(crate) fn task_id(line: &str) -> PyResult<String> {
-    luxel_cli::task_id(line).map_err(error)
+    luxel_cli::tasks::task_id(line).map_err(error)
 }
 
 /// The root of the Merkle tree over digests, as manifests have it.
@@ -51,12 +51,12 @@ pub(crate) fn merkle_root(digests: Vec<String>) -> PyResult<String> {
         text.parse().map_err(|_| argument("digests", format!("`{text}` is not a SHA-256 digest")))
     };
     let digests = digests.iter().map(parse).collect::<PyResult<Vec<_>>>()?;
-    Ok(luxel_cli::root(digests).to_string())
+    Ok(luxel_cli::tasks::root(digests).to_string())
 }
 
 /// A worker process that draws tasks, replaced when it ends.
 #[pyclass(name = "Worker", module = "luxel._luxel", frozen)]
-pub(crate) struct PyWorker(Mutex<luxel_cli::Seat>);
+pub(crate) struct PyWorker(Mutex<luxel_cli::tasks::Seat>);
 
 #[pymethods]
 impl PyWorker {
@@ -70,7 +70,7 @@ impl PyWorker {
         parts: PathBuf,
         flags: Vec<String>,
     ) -> PyResult<Self> {
-        let seat = luxel_cli::worker(program, [folder, root, parts], &flags);
+        let seat = luxel_cli::tasks::worker(program, [folder, root, parts], &flags);
         Ok(Self(Mutex::new(seat.map_err(|message| argument("flags", message))?)))
     }
 

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+#[cfg_attr(not(feature = "batch"), path = "no_batch.rs")]
 pub(crate) mod batch;
 pub(crate) mod bench;
 pub(crate) mod check;

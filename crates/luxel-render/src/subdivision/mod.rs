@@ -4,6 +4,8 @@ mod pieces;
 mod shared;
 mod texel_light;
 
-pub(crate) use pieces::{Asked, Pieces, encoded, mixed};
+#[cfg(feature = "vectors")]
+pub(crate) use pieces::encoded;
+pub(crate) use pieces::{Asked, Pieces, mixed};
 pub(crate) use shared::SubdividedTriangles;
 pub(crate) use texel_light::TexelLight;

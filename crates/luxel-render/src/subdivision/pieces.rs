@@ -360,6 +360,7 @@ pub(crate) fn mixed([a, b, c]: [[f32; 3]; 3], weights: [f32; 3]) -> [f32; 3] {
 }
 
 /// encode(clamp(v, 0, 1)), to about a hundredth of a step of 8 bits.
+#[cfg(feature = "vectors")]
 pub(crate) fn encoded(encoding: PictureEncoding, light: f32) -> f32 {
     encoded_beyond(encoding, light.min(1.0))
 }

@@ -2,6 +2,8 @@
 
 mod feedback;
 mod primitives;
+#[cfg(feature = "vectors")]
 mod svg;
 
+#[cfg(feature = "vectors")]
 pub use svg::{MAX_PIECES, Svg, SvgOptions};
