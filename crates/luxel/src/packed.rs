@@ -3,7 +3,7 @@
 use luxel_lighting::{EnvironmentMap, Fog};
 use luxel_scene::{
     Background, DVec3, EnvironmentChoice, Image, Meshes, Node, Sampler, Scene, SceneCamera,
-    SceneLight, SceneMaterial, ScenePart, Texture, UnsoundScene,
+    SceneLight, SceneMaterial, Texture, UnsoundScene,
 };
 use luxel_view::View;
 use serde::de::DeserializeOwned;
@@ -107,13 +107,6 @@ pub fn unpack(bytes: &[u8]) -> Result<Scene, UnpackError> {
         up: packed.up,
     };
     scene.check()?;
-    for (number, mesh) in scene.meshes.iter().enumerate() {
-        let mut numbers = mesh.positions.as_flattened().iter();
-        if !mesh.origin.is_finite() || !numbers.all(|number| number.is_finite()) {
-            let (part, fault) = (ScenePart::Mesh, "a position isn't finite".to_owned());
-            return Err(UnsoundScene { part, number, fault }.into());
-        }
-    }
     Ok(scene)
 }
 

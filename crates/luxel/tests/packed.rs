@@ -55,6 +55,20 @@ fn packed_models_have_the_same_pictures() {
 }
 
 #[test]
+fn a_packed_mesh_keeps_a_corner_that_is_not_finite() {
+    let mut scene = demos::demo("teapot").expect("a demo");
+    scene.meshes[0].positions[0] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
+    scene.compute_normals(&Default::default());
+    let view = luxel::default_view(&scene, Size { width: 160, height: 90 });
+    let again = unpack(&pack(&scene)).expect("a scene");
+    assert_eq!(
+        again.meshes[0].positions[0].map(f32::to_bits),
+        scene.meshes[0].positions[0].map(f32::to_bits)
+    );
+    assert!(pixels(again, &view) == pixels(scene, &view), "the picture changed");
+}
+
+#[test]
 fn damaged_bytes_are_errors_and_never_panics() {
     let mesh = luxel::scene::primitives::cuboid(luxel::scene::DVec3::ONE);
     let nodes = vec![Node::root("box", Some(MeshId(0)))];
