@@ -92,7 +92,7 @@ mod window_cells;
 
 pub use feedback_buffer::{Feedback, FeedbackBuffer, FeedbackType, FeedbackVertex};
 pub use luxel_bvh::{Bvh, MAX_TRIANGLES, MeshRays, Quality, Ray, RayHit, TooManyForTree};
-pub use luxel_rays::{SceneRays, WorldHit, WorldRay};
+pub use luxel_rays::{RaysError, SceneRays, WorldHit, WorldRay};
 pub use picker::{PickError, Picker};
 pub use region::{MAX_CORNERS, Region, RegionError};
 pub use selection_mode::{HitRecord, MAX_NAMES, NameError, Selected, Selection};

@@ -3,23 +3,26 @@
 use luxel_bvh::{Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel, UnavailableSimdLevel};
 use luxel_parallel::Memo;
-use luxel_rays::{BodyTree, SceneRays, WorldHit, WorldRay};
-use luxel_scene::{CoplanarRanks, Mesh, Object, Scene, UnsoundScene};
+use luxel_rays::{BodyTree, RaysError, SceneRays, WorldHit, WorldRay};
+use luxel_scene::{CoplanarRanks, Mesh, Object, Scene};
 use std::sync::Arc;
 
 /// Why a scene can't be prepared.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PickError {
-    /// The scene refers to what isn't there.
+    /// The scene isn't sound, or a mesh has too many triangles.
     #[error(transparent)]
-    Unsound(#[from] UnsoundScene),
-    /// A mesh has too many triangles.
-    #[error(transparent)]
-    TooManyTriangles(#[from] TooManyForTree),
+    Rays(#[from] RaysError),
     /// The machine lacks the instruction set.
     #[error("{0}")]
     Simd(String),
+}
+
+impl From<TooManyForTree> for PickError {
+    fn from(error: TooManyForTree) -> Self {
+        Self::Rays(error.into())
+    }
 }
 
 impl From<UnavailableSimdLevel> for PickError {
@@ -55,9 +58,7 @@ impl Picker {
         quality: Quality,
         simd: SimdLevel,
     ) -> Result<Self, PickError> {
-        let scene = scene.into();
-        scene.check()?;
-        let rays = SceneRays::with(scene, quality, simd.resolve()?)?;
+        let rays = SceneRays::with(scene.into(), quality, simd.resolve()?)?;
         Ok(Self::of(Arc::new(rays)))
     }
 

@@ -29,7 +29,7 @@ mod world_ray;
 pub use body_tree::BodyTree;
 pub use luxel_bvh::{Quality, TooManyForTree};
 pub use ray_lanes::{RayLanes, Spread};
-pub use scene_rays::{MeshTrees, SceneRays};
+pub use scene_rays::{MeshTrees, RaysError, SceneRays};
 pub use surface_place::{LIFT, PlaceLanes, SurfacePlace, TrianglePlaces};
 pub use transmittance::Blocker;
 pub use world_ray::{RebasedRay, WorldHit, WorldRay};

@@ -22,7 +22,7 @@ impl SceneRays {
     /// let ray = WorldRay::new(DVec3::new(0.0, 1.0, 50.0), DVec3::NEG_Z);
     /// let hit = rays.closest(&ray).unwrap();
     /// assert!(hit.position.z > 0.0);
-    /// # Ok::<(), luxel_rays::TooManyForTree>(())
+    /// # Ok::<(), luxel_rays::RaysError>(())
     /// ```
     #[must_use]
     pub fn closest(&self, ray: &WorldRay) -> Option<WorldHit> {

@@ -6,9 +6,21 @@ use glam::DVec3;
 use luxel_bvh::{BoxTree, Bvh, MeshRays, Quality, TooManyForTree};
 use luxel_math::{Level, SimdLevel};
 use luxel_parallel::map;
-use luxel_scene::{Mesh, Object, Scene};
+use luxel_scene::{Mesh, Object, Scene, UnsoundScene};
 use std::ops::Range;
 use std::sync::Arc;
+
+/// Why a scene can't be prepared for rays.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RaysError {
+    /// The scene refers to what isn't there.
+    #[error(transparent)]
+    Unsound(#[from] UnsoundScene),
+    /// A mesh has too many triangles.
+    #[error(transparent)]
+    TooManyTriangles(#[from] TooManyForTree),
+}
 
 /// A scene prepared for world-space rays. It shares the scene: a program can keep both.
 pub struct SceneRays {
@@ -89,8 +101,8 @@ impl SceneRays {
     /// Builds the trees on all threads of the current pool, for the best instruction set of the machine.
     ///
     /// # Errors
-    /// [`TooManyForTree`] if a mesh has too many triangles.
-    pub fn new(scene: impl Into<Arc<Scene>>) -> Result<Self, TooManyForTree> {
+    /// [`RaysError`] if the scene isn't [sound](Scene::check) or a mesh has too many triangles.
+    pub fn new(scene: impl Into<Arc<Scene>>) -> Result<Self, RaysError> {
         let level = SimdLevel::Auto.resolve().unwrap_or_else(|_| Level::baseline());
         Self::with(scene.into(), Quality::Thorough, level)
     }
@@ -98,19 +110,23 @@ impl SceneRays {
     /// Builds the trees with a given quality and instruction set.
     ///
     /// # Errors
-    /// [`TooManyForTree`] if a mesh has too many triangles.
-    pub fn with(scene: Arc<Scene>, quality: Quality, level: Level) -> Result<Self, TooManyForTree> {
+    /// [`RaysError`] if the scene isn't [sound](Scene::check) or a mesh has too many triangles.
+    pub fn with(scene: Arc<Scene>, quality: Quality, level: Level) -> Result<Self, RaysError> {
+        scene.check()?;
         let objects = scene.objects();
-        Self::of_objects(scene, objects, quality, level)
+        Ok(Self::of_objects(scene, objects, quality, level)?)
     }
 
-    /// [`SceneRays::with`], for some of the scene's objects only: hits number these.
+    /// [`SceneRays::with`], for some objects only of a scene that has been checked: hits number these.
     ///
     /// Where objects share a mesh of which others are left out, or of which only a part is opaque, all get meshes of
     /// their own first, in a copy of the scene.
     ///
     /// # Errors
     /// [`TooManyForTree`] if a mesh has too many triangles.
+    ///
+    /// # Panics
+    /// If the scene isn't [sound](Scene::check), or an object isn't its own.
     pub fn of_objects(
         scene: Arc<Scene>,
         objects: Vec<Object>,
@@ -128,6 +144,9 @@ impl SceneRays {
     ///
     /// # Errors
     /// [`TooManyForTree`] if a mesh has too many triangles.
+    ///
+    /// # Panics
+    /// If the scene isn't [sound](Scene::check), or an object isn't its own.
     pub fn with_trees(
         trees: MeshTrees,
         scene: Arc<Scene>,

@@ -171,7 +171,7 @@ fn thousands_of_surfaces_in_the_way_of_rays_together_weaken_each_as_alone() {
     scene.materials[0].opacity = 0.000_5;
     let ball = &mut scene.meshes[0];
     ball.triangles = ball.triangles.repeat(1500);
-    ball.attribute_corners = None;
+    ball.attribute_corners = ball.attribute_corners.take().map(|corners| corners.repeat(1500));
     ball.parts[0].count = ball.triangles.len() as u32;
     let middle = scene.objects()[0].world_from_mesh.transform_point3(DVec3::ZERO);
     let rays = SceneRays::new(scene).unwrap();

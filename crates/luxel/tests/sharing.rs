@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic fails the test")]
 
-use luxel::pick::{PickError, PickView, Picker};
+use luxel::pick::{PickError, PickView, Picker, RaysError, SceneRays};
 use luxel::prelude::*;
 use luxel::render::{Cull, RenderError};
 use luxel::scene::{MaterialId, Mesh, MeshId, Node, Part, SceneMaterial};
@@ -69,14 +69,16 @@ fn a_program_can_keep_a_scene_beside_its_renderer_and_picker() {
 }
 
 #[test]
-fn a_scene_that_refers_to_what_is_not_there_is_refused_before_it_is_drawn() {
+fn a_scene_that_refers_to_what_is_not_there_is_refused_before_it_is_drawn_or_traced() {
     let mut scene = triangle();
     scene.meshes[0].uvs[0] = vec![[0.0; 2]; 3];
     let message = "mesh 0: 3 texture coordinates for 4096 attribute vertices";
     let refused = Renderer::new(scene.clone(), &execution()).err().unwrap();
     assert!(matches!(refused, RenderError::Unsound(_)) && refused.to_string() == message);
-    let refused = Picker::new(scene).err().unwrap();
-    assert!(matches!(refused, PickError::Unsound(_)) && refused.to_string() == message);
+    let refused = Picker::new(scene.clone()).err().unwrap();
+    assert!(matches!(refused, PickError::Rays(_)) && refused.to_string() == message);
+    let refused = SceneRays::new(scene).err().unwrap();
+    assert!(matches!(refused, RaysError::Unsound(_)) && refused.to_string() == message);
 }
 
 /// Pages of the process in memory.

@@ -347,6 +347,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "scene_file",
             "drawing",
             "commands",
+            "tasks",
             "cli",
             "several_models",
         ],
