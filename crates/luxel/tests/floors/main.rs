@@ -43,6 +43,17 @@ fn no_crate_depends_on_a_later_one() {
 }
 
 #[test]
+fn the_architecture_names_the_subject_of_every_crate() {
+    let page = fs::read_to_string(crates_folder().join("../ARCHITECTURE.md")).unwrap();
+    let named: BTreeSet<&str> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `")?.split_once("` |"))
+        .map(|(name, _)| name)
+        .collect();
+    assert_eq!(named, CRATES.iter().copied().collect(), "ARCHITECTURE.md names (left) CRATES");
+}
+
+#[test]
 fn every_crate_has_an_order_of_modules() {
     let ordered: Vec<&str> = MODULES.iter().map(|(name, _)| *name).collect();
     assert_eq!(ordered, CRATES, "MODULES (left) orders the modules of each of CRATES (right)");
