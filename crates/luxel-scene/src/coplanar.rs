@@ -14,11 +14,12 @@ use glam::{DMat4, DVec3, DVec4};
 use luxel_parallel::{gather, map, sort_u64, sort_u128};
 use std::ops::Range;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
 
+mod owners;
 mod pairs;
 mod voxels;
 
+use owners::Owners;
 use pairs::Pairs;
 use voxels::Voxels;
 
@@ -422,43 +423,6 @@ fn shared_planes(candidates: &[Candidate], bodies: &[Body<'_>], voxels: &Voxels)
 /// Multiplicative hashing (Knuth, volume 3, section 6.4) with the golden ratio.
 const fn hash(plane: u64) -> usize {
     (plane.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as usize
-}
-
-/// Which objects have something in each entry of a table; entries may serve for several numbers.
-struct Owners(Vec<AtomicU32>);
-
-impl Owners {
-    const NONE: u32 = 0;
-    const SEVERAL: u32 = u32::MAX;
-
-    /// With so many entries, at least.
-    fn new(entries: usize) -> Self {
-        let size = entries.next_power_of_two().clamp(1 << 8, 1 << 26);
-        Self((0..size).map(|_| AtomicU32::new(Self::NONE)).collect())
-    }
-
-    fn entry(&self, number: usize) -> &AtomicU32 {
-        &self.0[number & (self.0.len() - 1)]
-    }
-
-    /// Adds an object; whatever the order of additions, an entry ends as the same.
-    #[inline]
-    fn add(&self, number: usize, object: u32) {
-        let (entry, own) = (self.entry(number), object + 1);
-        let order = Ordering::Relaxed;
-        let before = match entry.load(order) {
-            Self::NONE => entry.compare_exchange(Self::NONE, own, order, order),
-            other => Err(other),
-        };
-        if before.is_err_and(|other| other != own && other != Self::SEVERAL) {
-            entry.store(Self::SEVERAL, order);
-        }
-    }
-
-    #[inline]
-    fn are_several(&self, number: usize) -> bool {
-        self.entry(number).load(Ordering::Relaxed) == Self::SEVERAL
-    }
 }
 
 /// The numbers of candidates of ranks above 0, with these.

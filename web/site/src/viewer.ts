@@ -28,6 +28,7 @@ import { command, readLink, withoutFiles, writeLink } from "./link.ts";
 import { showVectors } from "./overlay.ts";
 import { Painting } from "./painting.ts";
 import { listen, MODES } from "./pointing.ts";
+import { copied, download } from "./saving.ts";
 import { showPicture, showSurface, type PageSettings } from "./surface.ts";
 import { offer } from "./testing.ts";
 import { Tree } from "./tree.ts";
@@ -386,19 +387,6 @@ function openSeveral(files: Map<string, File>): void {
 }
 
 // --- The page -------------------------------------------------------------------------------------
-
-function download(data: Blob, name: string): void {
-  const link = element("a", { href: URL.createObjectURL(data), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
-
-async function copied(text: string, button: HTMLElement): Promise<void> {
-  const label = button.textContent;
-  await navigator.clipboard.writeText(text);
-  button.textContent = "Copied";
-  setTimeout(() => (button.textContent = label), 1500);
-}
 
 function stem(): string {
   return model.name.replace(/^demo:/, "").replace(/^.*\//, "").replace(/\.[^.]*$/, "") || "picture";

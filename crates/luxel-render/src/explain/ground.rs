@@ -1,8 +1,8 @@
 //! What is seen where no surface is: the background, and what the ground lays over it.
 
-use super::Written;
 use super::ledger::{ExplainedGround, Seen};
 use super::shadow::shadow_at;
+use super::written::Written;
 use crate::backdrop::Backdrop;
 use crate::context::ShadingContext;
 use crate::interpolate::Batch;

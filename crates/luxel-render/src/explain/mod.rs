@@ -10,6 +10,7 @@ mod ledger;
 mod occluded;
 mod shadow;
 mod vertex_terms;
+mod written;
 
 pub use ledger::{
     BlockedBy, EvaluatedAt, ExplainedGround, ExplainedLight, ExplainedMaterial, ExplainedSample,
@@ -17,23 +18,20 @@ pub use ledger::{
 };
 pub use occluded::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 
-use crate::context::{AttributeMask, Heard, LitAt, ShadingContext};
+use crate::context::{Heard, LitAt, ShadingContext};
 use crate::frame::{RenderError, Renderer, lights_with_terms};
-use crate::interpolate::{Batch, Fragments};
-use crate::material::SurfaceWitness;
+use crate::interpolate::Batch;
 use crate::resolve::{self, Layered, bytes_of};
-use crate::shade::{BlockWitness, ThreadCache, VisibleLights, shade};
+use crate::shade::{ThreadCache, VisibleLights, shade};
 use crate::shadow::Receiver;
-use luxel_lighting::{
-    DiffuseTerms, Ledger, LedgerLight, LightTerms, MirrorTerms, PartTerms, Reflectance,
-    SurfacePoint, Terms, Witness,
-};
+use luxel_lighting::{Reflectance, SurfacePoint};
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
 use luxel_view::View;
 use luxel_visibility::{BLOCK, CoveragePolicy, Samples, TILE, Tile, TriangleId};
-use shadow::{openness_of, shadow_of};
+use shadow::openness_of;
 use vertex_terms::{Interpolated, evaluated_at};
+use written::Written;
 
 /// What is asked about.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -419,112 +417,6 @@ fn layered_pixel(entries: &[ExplainedSample], count: usize) -> [f32; 4] {
         Layered::add_sample(&mut sum, light, through, 1.0 / count as f32);
     }
     resolve::straight(sum)
-}
-
-/// Writes down what one sample sees and every term of its light.
-#[derive(Default)]
-pub(crate) struct Written {
-    pub(crate) point: Option<SurfacePoint<f32>>,
-    /// N without the normal map.
-    smooth: [f32; 3],
-    pub(crate) reflectance: Option<Reflectance<f32>>,
-    pub(crate) ledger: Ledger,
-    /// Where light was computed elsewhere: the texture of the base colour, and their product.
-    tint: Option<[f32; 3]>,
-    sum: Option<[f32; 3]>,
-    barycentric: [f32; 3],
-    uv: Option<[f32; 2]>,
-}
-
-impl Written {
-    /// The terms of each light, by its name, with what keeps it away from the triangle that is seen.
-    pub(crate) fn explained_lights(
-        &self,
-        scene: &ShadingContext<'_>,
-        eye: [f64; 3],
-        lights: &[&SceneLight],
-        receiver: Option<&Receiver>,
-    ) -> Vec<ExplainedLight> {
-        let explained = |entry: &LedgerLight| {
-            let placed = &scene.lights[entry.index];
-            let about_eye = placed.position();
-            ExplainedLight {
-                name: lights[entry.index].name.clone(),
-                light: lights[entry.index].light.clone(),
-                position: [0, 1, 2].map(|axis| eye[axis] + f64::from(about_eye[axis])),
-                direction: placed.direction(),
-                parts: entry.parts.clone(),
-                terms: entry.terms,
-                shadow: receiver.and_then(|receiver| {
-                    shadow_of(scene, receiver, entry.index, entry.terms.n_dot_l > 0.0)
-                }),
-            }
-        };
-        self.ledger.lights.iter().map(explained).collect()
-    }
-}
-
-impl Witness<f32> for Written {
-    fn part(&mut self, index: usize, terms: &PartTerms<f32>) {
-        self.ledger.part(index, terms);
-    }
-
-    fn mirror(&mut self, index: usize, terms: &MirrorTerms<f32>) {
-        self.ledger.mirror(index, terms);
-    }
-
-    fn diffuse(&mut self, index: usize, terms: &DiffuseTerms<f32>) {
-        self.ledger.diffuse(index, terms);
-    }
-
-    fn environment_diffuse(&mut self, diffuse: Rgb<f32>) {
-        self.ledger.environment_diffuse(diffuse);
-    }
-
-    fn light(&mut self, index: usize, terms: &LightTerms<f32>) {
-        self.ledger.light(index, terms);
-    }
-
-    fn terms(&mut self, terms: &Terms<f32>) {
-        self.ledger.terms(terms);
-    }
-
-    fn fog(&mut self, factor: f32, color: Rgb<f32>) {
-        self.ledger.fog(factor, color);
-    }
-
-    fn color(&mut self, color: Rgb<f32>) {
-        self.ledger.color(color);
-    }
-}
-
-impl BlockWitness<f32> for Written {
-    fn fragments(
-        &mut self,
-        _: &ShadingContext<'_>,
-        found: &Fragments<f32>,
-        _: &[u32; LANES],
-        point: &SurfacePoint<f32>,
-        _: u32,
-    ) {
-        self.smooth = point.normal.lane(0);
-        self.barycentric = found.weights;
-        self.uv =
-            found.attributes.has.has(AttributeMask::UVS[0]).then_some(found.attributes.uv[0][0]);
-    }
-}
-
-impl SurfaceWitness<f32> for Written {
-    fn surface(&mut self, point: &SurfacePoint<f32>, reflectance: &Reflectance<f32>, _alpha: f32) {
-        self.point = Some(*point);
-        self.reflectance = Some(*reflectance);
-    }
-
-    fn elsewhere(&mut self, point: &SurfacePoint<f32>, tint: Rgb<f32>, sum: Rgb<f32>) {
-        self.point = Some(*point);
-        self.tint = Some(tint.lane(0));
-        self.sum = Some(sum.lane(0));
-    }
 }
 
 const _: () = assert!(TILE % BLOCK == 0, "a tile's pixels are those of its blocks");

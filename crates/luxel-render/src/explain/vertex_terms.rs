@@ -1,9 +1,9 @@
 //! The ledger where light is computed elsewhere than at the pixel: the terms of each place, and what
 //! interpolation makes of them.
 
-use super::Written;
 use super::ledger::{EvaluatedAt, ExplainedLight};
 use super::shadow::shadow_of;
+use super::written::Written;
 use crate::context::ShadingContext;
 use crate::material::{Corner, light_at, light_under};
 use crate::shade::{LitTriangle, VisibleLights};

@@ -8,6 +8,7 @@
 
 mod blended;
 mod pass;
+mod passes;
 mod planes;
 mod sample;
 mod witness;

@@ -129,3 +129,9 @@ pub(crate) fn glass() -> Scene {
     }
     scene
 }
+
+/// The largest difference of two pictures in any channel.
+pub(crate) fn largest_difference(a: &[[u8; 4]], b: &[[u8; 4]]) -> u8 {
+    let pairs = a.as_flattened().iter().zip(b.as_flattened());
+    pairs.map(|(a, b)| a.abs_diff(*b)).max().unwrap()
+}

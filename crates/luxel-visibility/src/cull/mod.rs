@@ -3,6 +3,7 @@
 mod bin;
 mod cluster_cull;
 mod cone_culler;
+mod interval;
 mod tile_lists;
 
 pub(crate) use bin::Bins;

@@ -9,8 +9,9 @@ mod projective;
 mod seen_cluster;
 mod tile_forms;
 mod view_rays;
+mod window_rays;
 
-pub use barycentric::{Forms, LinearForms, PackedForms, WindowRays};
+pub use barycentric::{Forms, LinearForms, PackedForms};
 pub use instance_transform::{InstanceSpace, ViewSpace, sides};
 pub use lines_points::{LINE_WIDTH, Strokes, strokes};
 pub use point_coverage::{Probe, ProbedTriangle, Reach};
@@ -21,3 +22,4 @@ pub use tile_forms::{
     interpolate_corners_step, interpolate_step, tile_of,
 };
 pub use view_rays::ViewRays;
+pub use window_rays::WindowRays;

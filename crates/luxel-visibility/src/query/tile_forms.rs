@@ -21,8 +21,9 @@
 //! same kind. Worst of random triangles of 0.01 to 10 000 pixels (`tests/visibility/tile_forms.rs`): 3e-7
 //! facing the eye, 1.2e-6 at a cosine of 0.1, 2.4e-6 at 0.05, 6e-6 at 0.02.
 
-use super::barycentric::{Forms, WindowRays};
+use super::barycentric::Forms;
 use super::instance_transform::sides;
+use super::window_rays::WindowRays;
 use crate::types::TILE;
 use luxel_math::{F64Lanes, Lanes, Mask, SUBPIXELS, Vec3};
 

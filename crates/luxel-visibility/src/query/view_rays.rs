@@ -1,6 +1,6 @@
 //! V over the window: the way from a sample to the eye.
 
-use super::barycentric::WindowRays;
+use super::window_rays::WindowRays;
 use glam::{DMat3, DVec3};
 use luxel_math::{Lanes, Vec3};
 use luxel_scene::Camera;
