@@ -69,7 +69,8 @@ impl DrawState {
 
     /// The triangles of a polygon of those vertices, each by the numbers of its corners. The diagonals are free
     /// (section 3.5); these are those of Mesa's drivers, so that lit quads look the same: of lists, of smooth polygons and
-    /// of those that are clipped from the provoking vertex, of others from the first.
+    /// of those that are clipped from the provoking vertex, of others from the first. A triangle has none and keeps the order
+    /// of its corners, on which the last digits of its depths depend.
     pub(super) fn fans(
         &self,
         vertices: &Processed,
@@ -78,7 +79,7 @@ impl DrawState {
     ) -> impl Iterator<Item = [usize; 3]> + use<> {
         let count = corners.len();
         let outside = |corner: &u32| vertices.codes[*corner as usize] & codes::OUTSIDE != 0;
-        let at_provoking = self.splits_at_provoking || corners.iter().any(outside);
+        let at_provoking = count > 3 && (self.splits_at_provoking || corners.iter().any(outside));
         let about = if at_provoking { provoking } else { corners[0] };
         let first = corners.iter().position(|corner| *corner == about).unwrap_or(0);
         (first + 1..first + count - 1)

@@ -127,7 +127,7 @@ const MESHES: &[Mesh] = &[
         };
         let corners: Vec<Corner> = (0..120).flat_map(copy).collect();
         if count < TRIANGLES as usize {
-            for part in corners[..6 * TRIANGLES as usize].chunks(3 * count) {
+            for part in corners.chunks(3 * count) {
                 draw(context, part);
                 between(context);
             }

@@ -189,6 +189,34 @@ fn mesh(context: &mut Context, colored: bool) {
 }
 
 #[test]
+fn section_3_5_a_listed_triangle_has_the_depths_of_its_commands_beside_backs_that_are_outlines() {
+    let depths = |listed: bool, backs: u32| {
+        let mut context = canvas(48, 48);
+        context.enable(gl::DEPTH_TEST);
+        context.polygon_mode(0x0405, backs);
+        context.rotate(20.0, 0.1, 0.2, 1.0);
+        if listed {
+            context.new_list(1, gl::COMPILE);
+        }
+        for number in 0..24_u8 {
+            let [x, y] = [f32::from(number % 6) * 7.0, f32::from(number / 6) * 9.0];
+            draw(&mut context, gl::TRIANGLES, &[[x, y, 0.0], [x + 8.0, y, 0.0], [x, y + 9.0, 0.0]]);
+        }
+        if listed {
+            context.end_list();
+            context.call_list(1);
+        }
+        let mut depths = vec![0; 48 * 48 * 4];
+        context.read_pixels(0, 0, 48, 48, gl::DEPTH_COMPONENT, gl::FLOAT, &mut depths);
+        depths
+    };
+    let filled = depths(false, 0x1b02);
+    for (listed, backs) in [(false, 0x1b01), (true, 0x1b02), (true, 0x1b01)] {
+        assert_eq!(depths(listed, backs), filled, "listed: {listed}, backs: {backs:#x}");
+    }
+}
+
+#[test]
 fn section_5_4_long_primitives_are_those_of_their_commands() {
     const COLOR_MATERIAL: u32 = 0x0b57;
     for colored in [false, true] {
