@@ -49,6 +49,8 @@ pub(crate) struct ShadingContext<'a> {
     pub(crate) is_plain: bool,
     /// Whether plain batches need no more than normals.
     pub(crate) needs_normals_alone: bool,
+    /// Whether all batches are of flat shading and need no more than the light of each polygon.
+    pub(crate) needs_flat_light_alone: bool,
     /// Whether any surface has textures or vertex colours that its material reads.
     pub(crate) has_extras: bool,
     /// V over the window.

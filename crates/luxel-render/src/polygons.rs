@@ -41,6 +41,11 @@ impl Polygons {
         Self { starts: Some(starts), faces }
     }
 
+    /// Whether each triangle is a polygon by itself.
+    pub(crate) fn are_triangles(&self) -> bool {
+        self.starts.is_none()
+    }
+
     /// The polygon of a triangle, by number.
     fn polygon(starts: &[u32], triangle: u32) -> usize {
         starts.partition_point(|&start| start <= triangle).saturating_sub(1)
@@ -58,7 +63,10 @@ impl Polygons {
     pub(crate) fn face(&self, mesh: &Mesh, triangle: u32) -> Face {
         match &self.starts {
             Some(starts) => self.faces[Self::polygon(starts, triangle)],
-            None => Face::of(mesh, triangle as usize..triangle as usize + 1),
+            None => {
+                let corners = mesh.triangles[triangle as usize];
+                Face::of_triangle(mesh, corners.map(|at| mesh.positions[at as usize]))
+            }
         }
     }
 
@@ -80,13 +88,24 @@ impl Polygons {
 
 impl Face {
     fn of(mesh: &Mesh, run: Range<usize>) -> Self {
-        let corners = |triangle: usize| mesh.triangles[triangle].map(|at| mesh.position(at));
+        let corners = |[a, b, c]: &[u32; 3]| [*a, *b, *c].map(|corner| mesh.position(corner));
+        let triangles: Vec<_> = mesh.triangles[run].iter().map(corners).collect();
+        Self::of_triangles(&triangles)
+    }
+
+    /// Of a triangle by itself, with its corners' positions about the mesh's origin.
+    #[inline(always)]
+    pub(crate) fn of_triangle(mesh: &Mesh, [a, b, c]: [[f32; 3]; 3]) -> Self {
+        Self::of_triangles(&[[mesh.place(a), mesh.place(b), mesh.place(c)]])
+    }
+
+    #[inline(always)]
+    fn of_triangles(triangles: &[[DVec3; 3]]) -> Self {
         let cross = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
-        let area = run.clone().fold(DVec3::ZERO, |sum, at| sum + cross(corners(at)));
+        let area = triangles.iter().fold(DVec3::ZERO, |sum, corners| sum + cross(*corners));
         let (mut weighted, mut whole) = (DVec3::ZERO, 0.0);
         let (mut plain, mut count) = (DVec3::ZERO, 0.0);
-        for triangle in run {
-            let [a, b, c] = corners(triangle);
+        for &[a, b, c] in triangles {
             let middle = (a + b + c) / 3.0;
             let weight = cross([a, b, c]).dot(area);
             weighted += middle * weight;

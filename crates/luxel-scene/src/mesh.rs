@@ -134,7 +134,13 @@ impl Mesh {
     #[must_use]
     #[inline]
     pub fn position(&self, index: u32) -> DVec3 {
-        let [x, y, z] = self.positions[index as usize];
+        self.place(self.positions[index as usize])
+    }
+
+    /// A place about the mesh's origin, as [`Mesh::positions`] has them, in f64, in the mesh's own space.
+    #[must_use]
+    #[inline]
+    pub fn place(&self, [x, y, z]: [f32; 3]) -> DVec3 {
         self.origin + DVec3::new(f64::from(x), f64::from(y), f64::from(z))
     }
 

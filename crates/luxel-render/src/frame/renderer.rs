@@ -399,6 +399,11 @@ impl Renderer {
                     && !is_studied(&view.shading)
                     && edges.is_none(),
                 needs_normals_alone: view.shading.mode == ShadingMode::Phong && !needs_positions,
+                needs_flat_light_alone: view.shading.mode == ShadingMode::Flat
+                    && view.shading.interpolation == Interpolation::Perspective
+                    && !has_extras
+                    && fog.is_none()
+                    && shadows.is_none(),
                 has_extras,
                 view_rays: ViewRays::new(&view.camera, frame.rays()),
                 direction: view.camera.direction().as_vec3().to_array(),

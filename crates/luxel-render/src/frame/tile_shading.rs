@@ -124,7 +124,9 @@ pub(crate) fn look_ahead<S: Simd>(
                 ahead.empty |= 1 << number;
             } else {
                 ahead.single |= 1 << number;
-                setup.look_ahead(vector, scene, &tile.planes()[0].ids[block], 1);
+                if !scene.needs_flat_light_alone {
+                    setup.look_ahead(vector, scene, &tile.planes()[0].ids[block], 1);
+                }
             }
             continue;
         }
@@ -138,7 +140,7 @@ pub(crate) fn look_ahead<S: Simd>(
             triangles += begins[sample].count_ones();
             places += seen.count_ones();
         }
-        if triangles <= places * SHARED / 16 {
+        if triangles <= places * SHARED / 16 && !scene.needs_flat_light_alone {
             for (plane, begins) in tile.planes().iter().zip(begins) {
                 setup.look_ahead(vector, scene, &plane.ids[block], begins);
             }

@@ -182,7 +182,12 @@ fn shade_everything<N: Lanes, W: BlockWitness<N>>(
             let simd = simd.zero();
             let mut materials = [0; LANES];
             let mut found = Fragments::nothing(simd);
-            all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
+            if !W::HEARS_SURFACES && scene.needs_flat_light_alone {
+                let of = (&batch.ids, seen);
+                found.attributes.light = cache.flat.of_lanes(simd, scene, of, &mut materials);
+            } else {
+                all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
+            }
             let point = point_of(simd, scene, batch, &found);
             witness.fragments(scene, &found, &materials, &point, seen);
             let mut result = background(simd, scene);

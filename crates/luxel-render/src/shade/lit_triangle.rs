@@ -2,9 +2,9 @@
 //! window: looked up and lit once, not for every sample.
 
 use super::screen_interpolation::{InWindow, Outline};
+use super::whole_place::WholePlaces;
 use crate::context::{AttributeMask, LitAt, ShadingContext};
 use crate::material::{Attributes, Corner, light_at, light_under};
-use crate::polygons::Polygons;
 use crate::setup::PlacedCorners;
 use crate::subdivision::{Asked, Pieces, TexelLight, mixed};
 use glam::DVec3;
@@ -247,7 +247,7 @@ impl LitTriangle {
             None => Vec::new(),
         };
         let around: Vec<Corner> = around.into_iter().map(|(_, corner)| corner).collect();
-        let [position, normal] = place_of_whole(scene, self.of);
+        let [position, normal] = WholePlaces::of(scene, self.of.instance).place(self.of.triangle);
         Corner {
             position,
             normal,
@@ -310,24 +310,6 @@ impl LitTriangle {
             ..Attributes::at(&here, self.has)
         }
     }
-}
-
-/// The place of the polygon that a triangle is part of: its centroid about the eye, along the world's axes, and its
-/// own normal in world space, turned to the eye.
-pub(super) fn place_of_whole(scene: &ShadingContext<'_>, of: TriangleOf) -> [[f32; 3]; 2] {
-    let instance = &scene.placed.instances()[of.instance];
-    let mesh = scene.placed.mesh(instance);
-    let face = match scene.polygons[of.instance] {
-        Some(polygons) => polygons.face(mesh, of.triangle),
-        None => Polygons::TRIANGLES.face(mesh, of.triangle),
-    };
-    let in_view = scene.placed.view_from_mesh(instance).transform_point3(face.centroid);
-    let space = &instance.space;
-    let place = space.view.world_from_view * in_view;
-    let normal = (space.normal_from_mesh() * face.area).normalize_or_zero();
-    let to_eye = if space.view.parallel { space.view.world_from_view.z_axis } else { -place };
-    let normal = if normal.dot(to_eye) < 0.0 { -normal } else { normal };
-    [place.as_vec3().to_array(), normal.as_vec3().to_array()]
 }
 
 /// A corner of a mesh in its place about the eye, not lit.

@@ -1,5 +1,5 @@
-//! Light that goes to the eye from what samples see. What light is computed elsewhere than at pixels,
-//! and what is interpolated in the window, is there to be studied: it is written for one sample at a time.
+//! Light that goes to the eye from what samples see. Light of pieces, and what is interpolated in the window, is there to
+//! be studied: it is written for one sample at a time.
 
 mod block;
 mod display;
@@ -9,6 +9,7 @@ mod lit_triangle;
 mod screen_interpolation;
 mod shadowed;
 mod studied;
+mod whole_place;
 mod witness;
 
 pub(crate) use block::{ThreadCache, all_fragments, geometry_of, point_of, shade, shade_together};

@@ -7,7 +7,7 @@ use crate::context::{LitAt, ShadingContext};
 use crate::coverage::edge_distance;
 use crate::interpolate::{Batch, Fragments};
 use crate::material::base_texel;
-use luxel_math::{F64Lanes, LANES, Lanes, Rgb, lanes_of};
+use luxel_math::{F64Lanes, LANES, Lanes, lanes_of};
 use luxel_view::{Interpolation, Shading, ShadingMode};
 use luxel_visibility::TriangleId;
 
@@ -31,7 +31,10 @@ pub(super) fn study<N: Lanes>(
 ) {
     let Shading { mode, interpolation, .. } = scene.shading;
     if mode == ShadingMode::Flat && interpolation == Interpolation::Perspective {
-        return flat(scene, batch, cache, seen, found);
+        let simd = found.weights[0].zero();
+        let of = (&batch.ids, seen);
+        found.attributes.light = cache.flat.of_lanes(simd, scene, of, &mut [0; LANES]);
+        return;
     }
     for lane in lanes_of(seen) {
         let Some(triangle) = cache.lit.get(scene, TriangleId(batch.ids[lane])) else { continue };
@@ -50,26 +53,6 @@ pub(super) fn study<N: Lanes>(
             found.attributes.put_light(lane, light);
         }
     }
-}
-
-/// The one light of each lane's polygon.
-fn flat<N: Lanes>(
-    scene: &ShadingContext<'_>,
-    batch: &Batch,
-    cache: &mut ThreadCache,
-    seen: u32,
-    found: &mut Fragments<N>,
-) {
-    let simd = found.weights[0].zero();
-    let mut light = [[0.0; LANES]; 3];
-    for lane in lanes_of(seen) {
-        let of_lane = cache.flat.get(scene, TriangleId(batch.ids[lane]));
-        for (channel, value) in light.iter_mut().zip(of_lane) {
-            channel[lane] = value;
-        }
-    }
-    let [r, g, b] = light.map(|channel| simd.load(&channel, 0));
-    found.attributes.light = Rgb::new(r, g, b);
 }
 
 /// Shadows on light that was computed elsewhere: sample by sample.
