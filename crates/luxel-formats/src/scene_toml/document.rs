@@ -119,15 +119,13 @@ impl<'a> Document<'a> {
         let table = value.get_ref().as_table().ok_or_else(|| {
             malformed(self.text, value.span().start, format!("`{name}` is a table: write [{name}]"))
         })?;
-        let mut entries: Vec<_> = table.iter().collect();
-        entries.sort_by_key(|(key, _)| key.span().start);
         let entry = |(key, value): (&'a Spanned<Cow<'a, str>>, &'a Spanned<DeValue<'a>>)| Entry {
             name: key.get_ref(),
             place: Place::in_text(self.text, key.span().start),
             value: value.get_ref(),
             value_place: Place::in_text(self.text, value.span().start),
         };
-        Ok(entries.into_iter().map(entry).collect())
+        Ok(in_file_order(table).into_iter().map(entry).collect())
     }
 }
 
@@ -274,24 +272,31 @@ impl<'a> Table<'a> {
 
     /// All keys with their values, in order.
     pub(super) fn values(&self) -> Vec<(&'a str, &'a DeValue<'a>)> {
-        let mut entries: Vec<_> = self.entries.iter().collect();
-        entries.sort_by_key(|(key, _)| key.span().start);
-        entries.into_iter().map(|(key, value)| (&**key.get_ref(), value.get_ref())).collect()
+        let entries = in_file_order(self.entries).into_iter();
+        entries.map(|(key, value)| (&**key.get_ref(), value.get_ref())).collect()
     }
 
     /// All keys but some, each with the text form of its value.
     pub(super) fn fields(&self, but: &[&str]) -> Result<Vec<(&'a str, String)>, Error> {
-        let mut entries: Vec<_> =
-            self.entries.iter().filter(|(key, _)| !but.contains(&key.get_ref().as_ref())).collect();
-        entries.sort_by_key(|(key, _)| key.span().start);
         let field = |(key, value): (&'a Spanned<Cow<'a, str>>, &'a Spanned<DeValue<'a>>)| {
             let name: &str = key.get_ref();
             let text = as_text(value.get_ref());
             let text = text.map_err(|message| self.error_at(name, format!("{name}: {message}")))?;
             Ok((name, text.into_owned()))
         };
-        entries.into_iter().map(field).collect()
+        let entries = in_file_order(self.entries).into_iter();
+        entries.filter(|(key, _)| !but.contains(&key.get_ref().as_ref())).map(field).collect()
     }
+}
+
+/// A key and its value.
+type KeyAndValue<'t, 'a> = (&'t Spanned<Cow<'a, str>>, &'t Spanned<DeValue<'a>>);
+
+/// The entries of a table in the order of the file.
+pub(super) fn in_file_order<'t, 'a>(table: &'t DeTable<'a>) -> Vec<KeyAndValue<'t, 'a>> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    entries
 }
 
 /// The text form of a value: numbers as they are, lists with commas.

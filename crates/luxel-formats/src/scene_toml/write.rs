@@ -2,7 +2,7 @@
 //!
 //! Numbers have the fewest digits that parse to the same number.
 
-use super::document::Document;
+use super::document::{Document, in_file_order};
 use super::keys::{MATERIAL, MATERIALS, MODELS, OVERRIDES, Section};
 use crate::memory::Memory;
 use crate::values::{FieldValue, degrees, light_fields, reflection_text};
@@ -212,9 +212,7 @@ fn as_toml(value: &DeValue<'_>) -> String {
             format!("[{}]", items.join(", "))
         }
         DeValue::Table(table) => {
-            let mut entries: Vec<_> = table.iter().collect();
-            entries.sort_by_key(|(key, _)| key.span().start);
-            let entries: Vec<_> = entries
+            let entries: Vec<_> = in_file_order(table)
                 .into_iter()
                 .map(|(key, value)| {
                     format!("{} = {}", quoted(key.get_ref()), as_toml(value.get_ref()))

@@ -4,6 +4,7 @@ use super::{BINDINGS, Chord, Keys, MODES, Target, motions};
 use luxel::formats::Place;
 use luxel::formats::values::nearest;
 use serde_spanned::Spanned;
+use std::borrow::Cow;
 use toml::de::{DeTable, DeValue};
 
 /// An error in a key file, with its position.
@@ -45,8 +46,6 @@ impl Keys {
             let message = error.message().lines().next().unwrap_or_default().to_owned();
             at(error.span().map_or(0, |span| span.start), KeysErrorKind::Malformed(message))
         })?;
-        let mut entries: Vec<_> = root.get_ref().iter().collect();
-        entries.sort_by_key(|(name, _)| name.span().start);
         let mut assigned: Vec<(Chord, Target)> = Vec::new();
         let mut reassigned: Vec<Target> = Vec::new();
         let mut bind = |target: Target, value: &Spanned<DeValue<'_>>| {
@@ -62,16 +61,14 @@ impl Keys {
             }
             Ok(())
         };
-        for (name, value) in entries {
+        for (name, value) in in_file_order(root.get_ref()) {
             let mode = MODES.into_iter().find(|mode| mode.to_string() == *name.get_ref());
             if let Some(mode) = mode {
                 let DeValue::Table(table) = value.get_ref() else {
                     let message = format!("`{mode}` is a table of motions: write [{mode}]");
                     return Err(at(value.span().start, KeysErrorKind::Malformed(message)));
                 };
-                let mut entries: Vec<_> = table.iter().collect();
-                entries.sort_by_key(|(name, _)| name.span().start);
-                for (name, value) in entries {
+                for (name, value) in in_file_order(table) {
                     let known = motions(mode).iter().map(|(_, motion)| *motion);
                     let found = known.clone().find(|motion| *motion == name.get_ref());
                     let Some(motion) = found else {
@@ -98,6 +95,16 @@ impl Keys {
         keys.bindings.extend(assigned);
         Ok(keys)
     }
+}
+
+/// A name and its value.
+type NameAndValue<'t, 'a> = (&'t Spanned<Cow<'a, str>>, &'t Spanned<DeValue<'a>>);
+
+/// The entries of a table in the order of the file.
+fn in_file_order<'t, 'a>(table: &'t DeTable<'a>) -> Vec<NameAndValue<'t, 'a>> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(name, _)| name.span().start);
+    entries
 }
 
 /// Whether one key can't do both. Motions of different modes don't conflict.
