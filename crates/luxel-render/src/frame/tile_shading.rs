@@ -117,6 +117,7 @@ pub(crate) fn look_ahead<S: Simd>(
         ahead.empty = u32::MAX;
         return ahead;
     }
+    let prepares = !scene.needs_flat_light_alone;
     for number in 0..AHEAD {
         let block = first + number;
         if let Some(id) = single_triangle(simd, tile, block) {
@@ -124,13 +125,17 @@ pub(crate) fn look_ahead<S: Simd>(
                 ahead.empty |= 1 << number;
             } else {
                 ahead.single |= 1 << number;
-                if !scene.needs_flat_light_alone {
+                if prepares {
                     setup.look_ahead(vector, scene, &tile.planes()[0].ids[block], 1);
                 }
             }
             continue;
         }
         let distinct = DistinctTriangles::of(simd, tile, block);
+        ahead.distinct[number] = distinct;
+        if !prepares {
+            continue;
+        }
         let mut begins = [0; MAX_SAMPLES];
         let (mut triangles, mut places) = (0, 0);
         for (sample, plane) in tile.planes().iter().enumerate() {
@@ -140,12 +145,11 @@ pub(crate) fn look_ahead<S: Simd>(
             triangles += begins[sample].count_ones();
             places += seen.count_ones();
         }
-        if triangles <= places * SHARED / 16 && !scene.needs_flat_light_alone {
+        if triangles <= places * SHARED / 16 {
             for (plane, begins) in tile.planes().iter().zip(begins) {
                 setup.look_ahead(vector, scene, &plane.ids[block], begins);
             }
         }
-        ahead.distinct[number] = distinct;
     }
     setup.prepare(vector, scene);
     ahead

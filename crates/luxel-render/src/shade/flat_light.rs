@@ -90,10 +90,11 @@ impl FlatLights {
 
     /// Keeps lights. Two triangles seldom want the same entry: one of them is missing then.
     fn keep(&mut self, ids: &[u32; LANES], wholes: &Wholes<'_>) {
-        let material = wholes.material as u32;
         for lane in lanes_of(wholes.lanes) {
-            let id = TriangleId(ids[lane & (LANES - 1)]);
-            let light = wholes.light.map(|channel| channel[lane & (LANES - 1)]);
+            let lane = lane & (LANES - 1);
+            let id = TriangleId(ids[lane]);
+            let light = wholes.light.map(|channel| channel[lane]);
+            let material = wholes.materials[lane];
             self.entries[entry_of(id, ENTRIES)] = FlatLight { id, light, material };
         }
     }
@@ -153,14 +154,13 @@ struct Wholes<'a> {
     materials: [u32; LANES],
     /// Those that are lit now: of one material.
     lanes: u32,
-    material: usize,
     light: [[f32; LANES]; 3],
 }
 
 impl<'a> Wholes<'a> {
     fn new(scene: &'a ShadingContext<'a>) -> Self {
         let (places, light) = ([[[0.0; LANES]; 3]; 2], [[0.0; LANES]; 3]);
-        Self { scene, places, materials: [0; LANES], lanes: 0, material: 0, light }
+        Self { scene, places, materials: [0; LANES], lanes: 0, light }
     }
 
     /// Puts the places of lanes' polygons; returns the lanes whose materials have neither textures nor vertex colours.
@@ -192,10 +192,14 @@ impl<'a> Wholes<'a> {
 
     /// Those of the lanes that have the material of the first.
     fn take(&mut self, lanes: u32) {
-        let material = self.materials[lanes.trailing_zeros() as usize & (LANES - 1)];
+        let material = self.material_of_first(lanes);
         let of_material = lanes_of(lanes).filter(|lane| self.materials[*lane] == material);
         self.lanes = of_material.fold(0, |lanes, lane| lanes | 1 << lane);
-        self.material = material as usize;
+    }
+
+    /// The number of the material of the lowest of these lanes.
+    fn material_of_first(&self, lanes: u32) -> u32 {
+        self.materials[lanes.trailing_zeros() as usize & (LANES - 1)]
     }
 }
 
@@ -208,7 +212,8 @@ impl SplitLanes for Wholes<'_> {
         let [position, normal] = &self.places;
         let position = vector(simd, position, first);
         let normal = vector(simd, normal, first);
-        let light = lights_at(self.scene, &position, &normal, self.material);
+        let material = self.material_of_first(self.lanes) as usize;
+        let light = lights_at(self.scene, &position, &normal, material);
         light.r.store(&mut self.light[0], first);
         light.g.store(&mut self.light[1], first);
         light.b.store(&mut self.light[2], first);
