@@ -4,7 +4,6 @@ use crate::scene::{Corner, DEPTHS, Placed, Scene};
 use luxel_scene::Size;
 use luxel_visibility::{Coverage, CullFaces, PartUse};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 /// Triangles of a window with `size` pixels.
 pub(crate) fn triangle(size: [u32; 2]) -> impl Strategy<Value = [Corner; 3]> {
@@ -97,13 +96,7 @@ pub(crate) fn scene(
         })
 }
 
-/// How many cases a property is tried with, the same ones each time: `PROPTEST_RNG_SEED` picks
-/// others. No files are left behind.
+/// How many cases a property is tried with. No files are left behind.
 pub(crate) fn cases(cases: u32) -> ProptestConfig {
-    let config = ProptestConfig::default();
-    let rng_seed = match config.rng_seed {
-        RngSeed::Random => RngSeed::Fixed(1),
-        fixed => fixed,
-    };
-    ProptestConfig { cases, rng_seed, failure_persistence: None, ..config }
+    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }
