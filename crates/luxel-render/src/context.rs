@@ -9,7 +9,7 @@ use luxel_lighting::{
     Coefficients, Display, Fog, LightingEnvironment, PictureEncoding, PlacedLight, Reflection,
     SurfacePoint, Uniform,
 };
-use luxel_math::{Lanes, Vec3};
+use luxel_math::{Lanes, Level, Vec3};
 use luxel_scene::{Mesh, Scene, SceneMaterial};
 use luxel_view::{Edges, NormalLength, Shading, ShadingMode};
 use luxel_visibility::{Frame, InstanceSpace, PlacedScene, ViewRays};
@@ -76,6 +76,8 @@ pub(crate) struct ShadingContext<'a> {
     /// The polygons of each instance's mesh, where shading takes them whole.
     pub(crate) polygons: &'a [Option<&'a Polygons>],
     pub(crate) subdivided: &'a SubdividedTriangles,
+    /// Whose kernels light places that aren't samples.
+    pub(crate) level: Level,
 }
 
 impl ShadingContext<'_> {

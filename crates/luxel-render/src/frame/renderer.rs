@@ -381,7 +381,7 @@ impl Renderer {
                 || view.fog.is_some()
                 || lights.iter().any(|light| light.light().kind.has_place());
             let polygons = self.polygons(view, placed.instances());
-            let subdivided = SubdividedTriangles::default();
+            let (subdivided, level) = (SubdividedTriangles::default(), self.level);
             let scene = ShadingContext {
                 scene: &self.scene,
                 frame: &frame,
@@ -418,6 +418,7 @@ impl Renderer {
                 near: view.camera.projection.near,
                 polygons: &polygons,
                 subdivided: &subdivided,
+                level,
             };
             let cutouts = AlphaTest {
                 scene: &self.scene,

@@ -41,6 +41,31 @@ impl<N: Lanes> Attributes<N> {
         }
     }
 
+    /// At each lane's place between the corners of a triangle, by its weights, as [`Corner::weighted`] has it: what
+    /// light depends on, without normal maps.
+    #[inline(always)]
+    pub(crate) fn between(corners: &[Corner; 3], weights: &[N; 3], has: AttributeMask) -> Self {
+        let mut between = Self {
+            position: vector_between(corners, |corner| &corner.position, weights),
+            normal: vector_between(corners, |corner| &corner.normal, weights),
+            has,
+            ..Self::nothing(weights[0])
+        };
+        if has.has(AttributeMask::COLORS) {
+            for (channel, lanes) in between.color.iter_mut().enumerate() {
+                *lanes = number_between(corners, |corner| corner.color[channel], weights);
+            }
+        }
+        for (set, uv) in between.uv.iter_mut().enumerate() {
+            if has.has(AttributeMask::UVS[set]) {
+                for (axis, lanes) in uv[0].iter_mut().enumerate() {
+                    *lanes = number_between(corners, |corner| corner.uv[set][axis], weights);
+                }
+            }
+        }
+        between
+    }
+
     /// Takes the attributes of a single sample in one lane.
     pub(crate) fn put_lane(&mut self, lane: usize, one: &Attributes<f32>) {
         let put = |into: &mut N, value: f32| *into = into.with_lane(lane, value);
@@ -69,6 +94,29 @@ impl<N: Lanes> Attributes<N> {
         self.light.g = self.light.g.with_lane(lane, g);
         self.light.b = self.light.b.with_lane(lane, b);
     }
+}
+
+/// A vector between corners.
+#[inline(always)]
+fn vector_between<N: Lanes>(
+    corners: &[Corner; 3],
+    of: impl Fn(&Corner) -> &[f32; 3],
+    weights: &[N; 3],
+) -> Vec3<N> {
+    Vec3::new(
+        number_between(corners, |corner| of(corner)[0], weights),
+        number_between(corners, |corner| of(corner)[1], weights),
+        number_between(corners, |corner| of(corner)[2], weights),
+    )
+}
+
+#[inline(always)]
+fn number_between<N: Lanes>(
+    [a, b, c]: &[Corner; 3],
+    of: impl Fn(&Corner) -> f32,
+    [u, v, w]: &[N; 3],
+) -> N {
+    u.constant(of(a)) * *u + u.constant(of(b)) * *v + u.constant(of(c)) * *w
 }
 
 impl Attributes<f32> {

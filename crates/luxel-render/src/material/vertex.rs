@@ -2,7 +2,8 @@
 
 use super::attributes::{Attributes, Corner};
 use super::surface::{SurfaceWitness, reflectance};
-use crate::context::{AttributeMask, ShadingContext};
+use crate::context::{AttributeMask, LitAt, ShadingContext};
+use crate::subdivision::{PlaceLight, TexelLight};
 use luxel_lighting::{Coefficients, Occlusion, Silent, reflected};
 use luxel_math::{Lanes, Rgb, Vec3};
 use luxel_view::Clamp;
@@ -29,16 +30,70 @@ pub(crate) fn light_under<W: SurfaceWitness<f32>>(
     witness: &mut W,
 ) -> [f32; 3] {
     let place = Attributes::at(corner, has);
-    let number = material as usize;
+    lights_under(scene, &place, (material as usize, 1), Rgb::splat(0.0, texel), witness).lane(0)
+}
+
+/// The light that leaves places of one material under a texel of its base colour; not clamped.
+#[inline(always)]
+fn lights_under<N: Lanes, W: SurfaceWitness<N>>(
+    scene: &ShadingContext<'_>,
+    place: &Attributes<N>,
+    (number, lanes): (usize, u32),
+    texel: Rgb<N>,
+    witness: &mut W,
+) -> Rgb<N> {
     let point = scene.point_at_vertex(place.position, place.normal);
-    let tint = Rgb::splat(0.0, texel);
-    let reflectance = reflectance(scene, &place, number, 1, tint);
-    witness.surface(&point, &reflectance, 1.0);
+    let reflectance = reflectance(scene, place, number, lanes, texel);
+    witness.surface(&point, &reflectance, point.depth.one());
     let constants = &scene.scene.materials[number].constants;
     let coefficients = Coefficients::new(&reflectance, constants);
     let lighting = scene.lighting(number);
     let reflection = &constants.reflection;
-    reflected(&point, &coefficients, reflection, lighting, Occlusion::NONE, witness).lane(0)
+    reflected(&point, &coefficients, reflection, lighting, Occlusion::NONE, witness)
+}
+
+/// The places of a triangle as pieces of it light them.
+pub(crate) struct LitPlaces<'a> {
+    pub(crate) scene: &'a ShadingContext<'a>,
+    pub(crate) corners: &'a [Corner; 3],
+    pub(crate) has: AttributeMask,
+    pub(crate) material: u32,
+}
+
+impl LitPlaces<'_> {
+    /// Whether the light is that under any texel.
+    fn is_textured(&self) -> bool {
+        self.scene.lit_at(self.material as usize) == LitAt::PiecesUnderTexels
+    }
+
+    /// The texels of the base colour that count.
+    pub(crate) fn texels(&self) -> &'static [f32] {
+        if self.is_textured() { TexelLight::TEXELS } else { TexelLight::WHITE }
+    }
+}
+
+impl PlaceLight for LitPlaces<'_> {
+    #[inline(always)]
+    fn light<N: Lanes>(&self, place: [N; 3], lanes: u32) -> TexelLight<N> {
+        let Self { scene, corners, has, material } = *self;
+        let place = &Attributes::between(corners, &place, has);
+        let of = (material as usize, lanes);
+        let mut under = [place.light; 3];
+        for (light, texel) in under.iter_mut().zip(self.texels()) {
+            let texel = Rgb::splat(place.position.x, [*texel; 3]);
+            *light = lights_under(scene, place, of, texel, &mut Silent);
+        }
+        if !self.is_textured() {
+            let Rgb { r, g, b } = clamped(scene, under[0]);
+            return TexelLight::untextured([r, g, b]);
+        }
+        let [black, gray, white] = under;
+        TexelLight::through([
+            [black.r, black.g, black.b],
+            [gray.r, gray.g, gray.b],
+            [white.r, white.g, white.b],
+        ])
+    }
 }
 
 /// [`light_at`] at a corner of each lane's triangle, of a material without textures and vertex colours.

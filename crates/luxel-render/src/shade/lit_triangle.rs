@@ -4,9 +4,9 @@
 use super::screen_interpolation::{InWindow, Outline};
 use super::whole_place::WholePlaces;
 use crate::context::{AttributeMask, LitAt, ShadingContext};
-use crate::material::{Attributes, Corner, light_at, light_under};
+use crate::material::{Attributes, Corner, LitPlaces, light_at};
 use crate::setup::PlacedCorners;
-use crate::subdivision::{Asked, Pieces, TexelLight, mixed};
+use crate::subdivision::{Asked, Comparison, Pieces, mixed};
 use glam::DVec3;
 use luxel_lighting::Silent;
 use luxel_math::Vec3;
@@ -157,21 +157,17 @@ impl LitTriangle {
                 let space = scene.space(self.of.instance);
                 let corners = &self.corners;
                 let Size { width, height } = scene.frame.size();
-                let is_textured = scene.lit_at(material as usize) == LitAt::PiecesUnderTexels;
-                let under = |corner: &Corner, texel: f32| {
-                    light_under(scene, corner, has, material, [texel; 3], &mut Silent)
-                };
-                let light = |corner: &Corner| match is_textured {
-                    true => TexelLight::through([0.0, 0.5, 1.0].map(|texel| under(corner, texel))),
-                    false => TexelLight::untextured(lit(corner)),
-                };
+                let light = LitPlaces { scene, corners, has, material };
                 let asked = Asked {
                     tolerance,
+                    light: &light,
+                    comparison: Comparison {
+                        level: scene.level,
+                        display: scene.display,
+                        encoding: scene.encoding,
+                        texels: light.texels(),
+                    },
                     size: [f64::from(width), f64::from(height)],
-                    display: scene.display,
-                    encoding: scene.encoding,
-                    light: &mut |place| light(&Corner::weighted(corners, place)),
-                    texels: if is_textured { TexelLight::TEXELS } else { TexelLight::WHITE },
                     window: &|place| {
                         let about_eye = mixed(corners.map(|corner| corner.position), place);
                         let about_eye = DVec3::from_array(about_eye.map(f64::from));

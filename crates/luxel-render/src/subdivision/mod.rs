@@ -3,9 +3,11 @@
 mod pieces;
 mod shared;
 mod texel_light;
+mod tries;
 
-#[cfg(feature = "vectors")]
-pub(crate) use pieces::encoded;
 pub(crate) use pieces::{Asked, Pieces, mixed};
 pub(crate) use shared::SubdividedTriangles;
 pub(crate) use texel_light::TexelLight;
+#[cfg(feature = "vectors")]
+pub(crate) use tries::encoded;
+pub(crate) use tries::{Comparison, PlaceLight};

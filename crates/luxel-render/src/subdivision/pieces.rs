@@ -12,8 +12,8 @@
 //! that, and their area.
 
 use super::texel_light::TexelLight;
-use luxel_lighting::{Display, PictureEncoding};
-use luxel_math::{Rgb, elementary};
+use super::tries::{Comparison, Place, PlaceLight, Tries};
+use luxel_math::LANES;
 use std::collections::HashMap;
 
 /// Pixels between the places where an edge or an inside is tried first.
@@ -57,8 +57,17 @@ const COARSE: Grid =
 const FINE: Grid =
     Grid { step: FINE_STEP, most_along: MOST_FINE, most_inside: MOST_FINE, only_inside: true };
 
-/// A place by its barycentrics.
-type Place = [f32; 3];
+impl Grid {
+    /// How many places are tried along an edge of a length: an odd number, so that the middle is among them.
+    fn along(&self, length: f64) -> usize {
+        ((length / self.step) as usize).clamp(1, self.most_along) | 1
+    }
+
+    /// How many parts an extent of an inside has.
+    fn inside(&self, extent: f64) -> usize {
+        ((extent / self.step) as usize).min(self.most_inside)
+    }
+}
 
 /// What the subdivision of one triangle came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -90,38 +99,78 @@ struct Node {
 }
 
 /// What subdividing asks for.
-pub(crate) struct Asked<'a> {
+pub(crate) struct Asked<'a, L> {
     /// In steps of 8 bits.
     pub(crate) tolerance: f32,
-    /// Exposure and tone curve, if they change anything.
-    pub(crate) display: Option<Display>,
-    pub(crate) encoding: PictureEncoding,
-    /// The light at a place.
-    pub(crate) light: &'a mut dyn FnMut(Place) -> TexelLight,
-    /// The texels under which it must be within the tolerance.
-    pub(crate) texels: &'a [f32],
+    pub(crate) light: &'a L,
+    /// How it is compared: under texels that it must be within the tolerance of.
+    pub(crate) comparison: Comparison<'a>,
     /// Where a place lies in the window, in pixels; `None` if it isn't before the eye.
     pub(crate) window: &'a dyn Fn(Place) -> Option<[f64; 2]>,
     /// The window's width and height: what lies outside needs no second try.
     pub(crate) size: [f64; 2],
 }
 
-struct Builder<'a> {
-    asked: Asked<'a>,
+struct Builder<'a, L> {
+    asked: Asked<'a, L>,
     pieces: Pieces,
+    /// Where the pieces' places lie in the window.
+    windows: Vec<Option<[f64; 2]>>,
     /// Places that are lit already, by the bits of their first two barycentrics.
     known: HashMap<[u32; 2], u32>,
+    /// Places that are tried together, and what of a piece each belongs to.
+    tries: Tries,
+    parts: [Part; LANES],
     /// How many places were tried.
-    tries: usize,
+    tried: usize,
+}
+
+/// A piece that is tried. Its longest edge goes from the first corner to the second.
+struct Tried {
+    corners: [u32; 3],
+    /// Of the edges that go from each corner to the next.
+    lengths: [f64; 3],
+    /// Above the longest edge.
+    height: f64,
+    /// Of the edges: the largest error, or any that is more than enough.
+    off: [f32; 3],
+    /// The same of the inside, where the edges' isn't more than enough.
+    inside: f32,
+    /// The light in the middle of edges, where it is known.
+    middles: [Option<TexelLight>; 3],
+    /// How much is enough to know.
+    enough: f32,
+}
+
+impl Tried {
+    /// Whether the fine grid has places that the coarse one lacks.
+    fn is_finer_tried(&self) -> bool {
+        let is_longer = |length: &f64| FINE.along(*length) > COARSE.along(*length);
+        self.lengths.iter().any(is_longer) || FINE.inside(self.height) > 1
+    }
+
+    /// Whether an edge will be halved: then the inside makes no difference.
+    fn is_rough(&self) -> bool {
+        self.off.iter().any(|off| *off > self.enough)
+    }
+}
+
+/// What of a piece a place belongs to.
+#[derive(Clone, Copy)]
+enum Part {
+    Edge { edge: usize, is_middle: bool },
+    Inside,
 }
 
 impl Pieces {
-    pub(crate) fn new(asked: Asked<'_>) -> Self {
+    pub(crate) fn new<L: PlaceLight>(asked: Asked<'_, L>) -> Self {
         let count = PieceCount { pieces: 0, error: 0.0, beyond: 0, beyond_area: 0 };
         let pieces = Self { places: Vec::new(), nodes: Vec::new(), count };
-        let mut builder = Builder { asked, pieces, known: HashMap::new(), tries: 0 };
-        let corners =
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|place| builder.lit(place));
+        let (windows, known, tries) = (Vec::new(), HashMap::new(), Tries::new());
+        let parts = [Part::Inside; LANES];
+        let mut builder = Builder { asked, pieces, windows, known, tries, parts, tried: 0 };
+        let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+            .map(|place| builder.lit(place, None));
         builder.pieces.nodes.push(Node { corners, first: 0, parts: 0 });
         builder.divide(0, 0);
         let mut pieces = builder.pieces;
@@ -180,50 +229,23 @@ impl Pieces {
     }
 }
 
-impl Builder<'_> {
-    /// The number of a place, lit once.
-    fn lit(&mut self, place: Place) -> u32 {
+impl<L: PlaceLight> Builder<'_, L> {
+    /// The number of a place, lit once: with `light`, if that is known.
+    fn lit(&mut self, place: Place, light: Option<TexelLight>) -> u32 {
         let key = [place[0].to_bits(), place[1].to_bits()];
         if let Some(&known) = self.known.get(&key) {
             return known;
         }
-        let light = (self.asked.light)(place);
+        let light = light.unwrap_or_else(|| self.asked.light.light(place, 1));
         let number = self.pieces.places.len() as u32;
         self.pieces.places.push((place, light));
+        self.windows.push((self.asked.window)(place));
         self.known.insert(key, number);
         number
     }
 
     fn place(&self, number: u32) -> Place {
         self.pieces.places[number as usize].0
-    }
-
-    /// How far the light at a place is from what corners interpolate to, in steps of 8 bits.
-    fn error(&mut self, corners: [u32; 3], weights: [f32; 3], grid: Grid) -> f32 {
-        let place = mixed(corners.map(|corner| self.place(corner)), weights);
-        if grid.only_inside && !self.is_inside(place) {
-            return 0.0;
-        }
-        self.tries += 1;
-        let lit = (self.asked.light)(place);
-        let interpolated = self.pieces.between(corners, weights);
-        let encoding = self.asked.encoding;
-        // Light beyond 1 counts: a texel may darken it, and so may other samples of the pixel.
-        let steps = |light: f32| 255.0 * encoded_beyond(encoding, light);
-        let display = self.asked.display;
-        let shown = |light: [f32; 3]| match display {
-            Some(display) => display.shown(Rgb::splat(0.0, light)).lane(0),
-            None => light,
-        };
-        let mut error = 0.0_f32;
-        for &texel in self.asked.texels {
-            let (lit, interpolated) =
-                (shown(lit.at([texel; 3])), shown(interpolated.at([texel; 3])));
-            for channel in 0..3 {
-                error = error.max((steps(lit[channel]) - steps(interpolated[channel])).abs());
-            }
-        }
-        error
     }
 
     /// Whether a place lies in the window, or within a pixel of it.
@@ -235,8 +257,7 @@ impl Builder<'_> {
 
     /// An edge's length in the window; very long if an end isn't before the eye.
     fn length(&self, from: u32, to: u32) -> f64 {
-        let window = self.asked.window;
-        let (Some(p), Some(q)) = (window(self.place(from)), window(self.place(to))) else {
+        let (Some(p), Some(q)) = (self.windows[from as usize], self.windows[to as usize]) else {
             return f64::from(u16::MAX);
         };
         let (x, y) = (q[0] - p[0], q[1] - p[1]);
@@ -245,44 +266,90 @@ impl Builder<'_> {
 
     /// A triangle's area in the window, in pixels; `None` if a corner isn't before the eye.
     fn area(&self, corners: [u32; 3]) -> Option<f64> {
-        let place = |corner: u32| (self.asked.window)(self.place(corner));
+        let place = |corner: u32| self.windows[corner as usize];
         let (a, b, c) = (place(corners[0])?, place(corners[1])?, place(corners[2])?);
         Some(((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs() / 2.0)
     }
 
-    /// The largest error along an edge, tried at steps of so many pixels.
-    fn edge_error(&mut self, [from, to]: [u32; 2], length: f64, grid: Grid) -> f32 {
-        let tried = ((length / grid.step) as usize).clamp(1, grid.most_along);
-        // An odd number, so that the middle is among them.
-        let tried = tried | 1;
-        let mut error = 0.0_f32;
-        for at in 1..=tried {
-            let t = at as f32 / (tried + 1) as f32;
-            error = error.max(self.error([from, to, to], [1.0 - t, t, 0.0], grid));
-        }
-        error
-    }
-
-    /// The largest error inside of a triangle over its base, which ends at its first two corners:
-    /// tried along rows above the base, so that places are as dense in the window in every direction.
-    fn inside_error(&mut self, corners: [u32; 3], base: f64, grid: Grid) -> f32 {
-        let mut error = self.error(corners, [1.0 / 3.0; 3], grid);
-        let height = match self.area(corners) {
+    /// A triangle's height over its base; the base if a corner isn't before the eye.
+    fn height(&self, corners: [u32; 3], base: f64) -> f64 {
+        match self.area(corners) {
             Some(area) if base > 0.0 => 2.0 * area / base,
             _ => base,
-        };
-        let count = |length: f64| ((length / grid.step) as usize).min(grid.most_inside);
-        let rows = count(height);
-        for row in 1..rows {
-            let up = row as f32 / rows as f32;
-            let columns = count(base * f64::from(1.0 - up));
-            for column in 1..columns {
-                let along = column as f32 / columns as f32;
-                let weights = [(1.0 - up) * (1.0 - along), (1.0 - up) * along, up];
-                error = error.max(self.error(corners, weights, grid));
+        }
+    }
+
+    /// Tries a piece at the places of a grid. The inside is tried along rows above the base, so that places are as
+    /// dense in the window in every direction.
+    fn try_piece(&mut self, piece: &mut Tried, grid: Grid) {
+        for edge in 0..3 {
+            let count = grid.along(piece.lengths[edge]);
+            for at in 1..=count {
+                if piece.off[edge] > piece.enough {
+                    break;
+                }
+                let t = at as f32 / (count + 1) as f32;
+                let mut weights = [0.0; 3];
+                (weights[edge], weights[(edge + 1) % 3]) = (1.0 - t, t);
+                let is_middle = 2 * at == count + 1;
+                self.try_place(piece, weights, Part::Edge { edge, is_middle }, grid);
             }
         }
-        error
+        let rows = grid.inside(piece.height);
+        // Of small pieces all places fit together.
+        if rows > 1 || piece.is_rough() {
+            self.compare(piece);
+        }
+        if piece.is_rough() {
+            return;
+        }
+        self.try_place(piece, [1.0 / 3.0; 3], Part::Inside, grid);
+        for row in 1..rows {
+            let up = row as f32 / rows as f32;
+            let columns = grid.inside(piece.lengths[0] * f64::from(1.0 - up));
+            for column in 1..columns {
+                if piece.inside > piece.enough {
+                    break;
+                }
+                let along = column as f32 / columns as f32;
+                let weights = [(1.0 - up) * (1.0 - along), (1.0 - up) * along, up];
+                self.try_place(piece, weights, Part::Inside, grid);
+            }
+        }
+        self.compare(piece);
+    }
+
+    /// Tries a place of a piece: at once, or together with others.
+    fn try_place(&mut self, piece: &mut Tried, weights: [f32; 3], part: Part, grid: Grid) {
+        let place = mixed(piece.corners.map(|corner| self.place(corner)), weights);
+        if grid.only_inside && !self.is_inside(place) {
+            return;
+        }
+        self.parts[self.tries.count() % LANES] = part;
+        self.tries.push(weights, place);
+        if self.tries.count() == LANES {
+            self.compare(piece);
+        }
+    }
+
+    /// Compares the places that wait.
+    fn compare(&mut self, piece: &mut Tried) {
+        let count = self.tries.count();
+        self.tried += count;
+        self.tries.compare(self.asked.light, &self.asked.comparison);
+        for number in 0..count {
+            let error = self.tries.error(number);
+            match self.parts[number] {
+                Part::Edge { edge, is_middle } => {
+                    piece.off[edge] = piece.off[edge].max(error);
+                    // The longest edge is halved with any other.
+                    if is_middle && (edge == 0 || error > piece.enough) {
+                        piece.middles[edge] = Some(self.tries.light(number));
+                    }
+                }
+                Part::Inside => piece.inside = piece.inside.max(error),
+            }
+        }
     }
 
     fn divide(&mut self, node: usize, depth: u32) {
@@ -294,20 +361,27 @@ impl Builder<'_> {
         let lengths = edges.map(|[from, to]| self.length(from, to));
         let longest = lengths[0].max(lengths[1]).max(lengths[2]);
         let may = may && longest > SHORTEST;
-        let off: [f32; 3] =
-            std::array::from_fn(|at| self.edge_error(edges[at], lengths[at], COARSE));
         let base = lengths.iter().position(|length| *length >= longest).unwrap_or_default();
         let over_base = [edges[base][0], edges[base][1], corners[base]];
-        let mut inside = self.inside_error(over_base, longest, COARSE);
-        let mut off = off;
-        let fine = off.iter().all(|off| *off <= tolerance) && inside <= tolerance;
-        if fine && self.tries < MOST_TRIES {
-            for at in 0..3 {
-                off[at] = off[at].max(self.edge_error(edges[at], lengths[at], FINE));
-            }
-            inside = inside.max(self.inside_error(over_base, longest, FINE));
+        let mut piece = Tried {
+            corners: over_base,
+            lengths: [lengths[base], lengths[(base + 1) % 3], lengths[(base + 2) % 3]],
+            height: self.height(over_base, longest),
+            off: [0.0; 3],
+            inside: 0.0,
+            middles: [None; 3],
+            // How much more is only of interest where nothing can be divided.
+            enough: if may { tolerance } else { f32::INFINITY },
+        };
+        self.tries.begin(over_base.map(|corner| self.pieces.places[corner as usize].1));
+        self.try_piece(&mut piece, COARSE);
+        let is_fine = piece.off.iter().all(|off| *off <= tolerance) && piece.inside <= tolerance;
+        if is_fine && self.tried < MOST_TRIES && piece.is_finer_tried() {
+            self.try_piece(&mut piece, FINE);
         }
-        let rough = off.map(|off| off > tolerance && may);
+        let Tried { off, inside, middles, .. } = piece;
+        let of_edge = |at: usize| (at + 3 - base) % 3;
+        let rough = [0, 1, 2].map(|at| off[of_edge(at)] > tolerance && may);
         let any = rough.contains(&true);
         // The longest edge goes with the others, so that no slivers arise.
         let halves = |at: usize| match any {
@@ -318,7 +392,8 @@ impl Builder<'_> {
         for at in 0..3 {
             if halves(at) {
                 let ends = [self.place(edges[at][0]), self.place(edges[at][1]), [0.0; 3]];
-                halved[at] = Some(self.lit(mixed(ends, [0.5, 0.5, 0.0])));
+                let middle = mixed(ends, [0.5, 0.5, 0.0]);
+                halved[at] = Some(self.lit(middle, middles[of_edge(at)]));
             }
         }
         let parts: Vec<[u32; 3]> = match halved {
@@ -359,33 +434,23 @@ pub(crate) fn mixed([a, b, c]: [[f32; 3]; 3], weights: [f32; 3]) -> [f32; 3] {
     std::array::from_fn(|axis| a[axis] * weights[0] + b[axis] * weights[1] + c[axis] * weights[2])
 }
 
-/// encode(clamp(v, 0, 1)), to about a hundredth of a step of 8 bits.
-#[cfg(feature = "vectors")]
-pub(crate) fn encoded(encoding: PictureEncoding, light: f32) -> f32 {
-    encoded_beyond(encoding, light.min(1.0))
-}
-
-/// The same curve, which goes on beyond 1.
-fn encoded_beyond(encoding: PictureEncoding, light: f32) -> f32 {
-    let light = if light > 0.0 { light } else { 0.0 };
-    match encoding {
-        PictureEncoding::None => light,
-        PictureEncoding::Srgb if light <= 0.003_130_8 => 12.92 * light,
-        PictureEncoding::Srgb => 1.055 * elementary::power(light, 1.0 / 2.4) - 0.055,
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::tries::EachPlace;
     use super::*;
+    use luxel_lighting::PictureEncoding;
+    use luxel_math::Level;
 
     fn pieces(tolerance: f32, light: impl Fn(Place) -> [f32; 3]) -> Pieces {
         Pieces::new(Asked {
             tolerance,
-            display: None,
-            encoding: PictureEncoding::None,
-            light: &mut |place| TexelLight::untextured(light(place)),
-            texels: TexelLight::WHITE,
+            light: &EachPlace(light),
+            comparison: Comparison {
+                level: Level::new(),
+                display: None,
+                encoding: PictureEncoding::None,
+                texels: TexelLight::WHITE,
+            },
             window: &|[_, v, w]| Some([f64::from(v) * 300.0, f64::from(w) * 300.0]),
             size: [300.0; 2],
         })

@@ -54,18 +54,23 @@ impl SubdividedTriangles {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Asked, TexelLight};
+    use super::super::tries::EachPlace;
+    use super::super::{Asked, Comparison, TexelLight};
     use super::*;
     use luxel_lighting::PictureEncoding;
+    use luxel_math::Level;
 
     /// A triangle across which the light is `light`.
     fn divided(light: fn(f32) -> f32) -> Pieces {
         Pieces::new(Asked {
             tolerance: 1.0,
-            display: None,
-            encoding: PictureEncoding::None,
-            light: &mut |[_, v, _]| TexelLight::untextured([light(v); 3]),
-            texels: TexelLight::WHITE,
+            light: &EachPlace(|[_, v, _]: [f32; 3]| [light(v); 3]),
+            comparison: Comparison {
+                level: Level::new(),
+                display: None,
+                encoding: PictureEncoding::None,
+                texels: TexelLight::WHITE,
+            },
             window: &|[_, v, w]| Some([f64::from(v) * 100.0, f64::from(w) * 100.0]),
             size: [100.0; 2],
         })
