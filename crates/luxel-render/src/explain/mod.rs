@@ -22,7 +22,7 @@ use crate::context::{Heard, LitAt, ShadingContext};
 use crate::frame::{RenderError, Renderer, lights_with_terms};
 use crate::interpolate::Batch;
 use crate::resolve::{self, Layered, bytes_of};
-use crate::shade::{ThreadCache, VisibleLights, shade};
+use crate::shade::{MixedTerms, ThreadCache, VisibleLights, shade};
 use crate::shadow::Receiver;
 use luxel_lighting::{Reflectance, SurfacePoint};
 use luxel_math::{LANES, Rgb, SUBPIXELS};
@@ -338,18 +338,23 @@ impl Lit {
             LitAt::PiecesUnderTexels => (Some(tint), [1.0; 3]),
             LitAt::Pixels | LitAt::Elsewhere => (None, tint),
         };
-        let mut visible = None;
+        let (mut visible, mut mixed) = (None, None);
         if lit_at != LitAt::Pixels {
             let places = triangle.lit_at(barycentric, batch.position(0));
             let seen_at = (barycentric, batch.position(0));
             visible = VisibleLights::of(scene, id, seen_at, &places);
-            for place in places {
-                let there = evaluated_at(scene, triangle, &place, texel, (eye, lights));
-                if evaluated.iter().all(|other| other.weight < place.0) {
+            for place in &places {
+                let there = evaluated_at(scene, triangle, place, texel, (eye, lights));
+                if evaluated.iter().all(|other| other.weight < place.weight) {
                     written.reflectance = Some(there.reflectance);
                 }
                 evaluated.push(there);
             }
+            let terms = MixedTerms::of(&triangle.terms(scene, &places, tint), texture);
+            mixed = Some(match &visible {
+                Some(visible) => terms.visible(scene, visible),
+                None => terms,
+            });
         }
         let normal = match (&visible, &written.point) {
             (Some(visible), _) => visible.normal,
@@ -360,8 +365,8 @@ impl Lit {
         let (position, is_between) = (batch.position(0), visible.is_some());
         let receiver = Receiver { id, barycentric, normal, smooth, position, is_between };
         let openness = openness_of(scene, &receiver);
-        let terms = if evaluated.is_empty() {
-            Interpolated {
+        let terms = match (mixed, &visible) {
+            (None, _) => Interpolated {
                 emission: written.ledger.emission,
                 scene_ambient: written.ledger.scene_ambient,
                 environment: written.ledger.environment,
@@ -369,12 +374,10 @@ impl Lit {
                 environment_diffuse: written.ledger.environment_diffuse,
                 diffused: written.ledger.diffused.clone(),
                 lights: written.explained_lights(scene, eye, lights, Some(&receiver)),
-            }
-        } else {
-            let interpolated = Interpolated::of(&evaluated, texture);
-            match visible {
-                Some(visible) => interpolated.visible(scene, &receiver, &visible),
-                None => interpolated,
+            },
+            (Some(mixed), None) => Interpolated::of(&evaluated, mixed),
+            (Some(mixed), Some(visible)) => {
+                Interpolated::of(&evaluated, mixed).in_shadow(scene, &receiver, visible)
             }
         };
         Some(Self {

@@ -5,8 +5,8 @@ use super::ledger::{EvaluatedAt, ExplainedLight};
 use super::shadow::shadow_of;
 use super::written::Written;
 use crate::context::ShadingContext;
-use crate::material::{Corner, light_at, light_under};
-use crate::shade::{LitTriangle, VisibleLights};
+use crate::material::{light_at, light_under};
+use crate::shade::{LitPlace, LitTriangle, MixedLight, MixedTerms, VisibleLights};
 use crate::shadow::Receiver;
 use luxel_lighting::{DiffuseTerms, LightTerms, MirrorTerms, Reflectance};
 use luxel_math::{Rgb, Vec3};
@@ -16,7 +16,7 @@ use luxel_scene::SceneLight;
 pub(crate) fn evaluated_at(
     scene: &ShadingContext<'_>,
     triangle: &LitTriangle,
-    (weight, corner): &(f32, Corner),
+    LitPlace { weight, corner, .. }: &LitPlace,
     texel: Option<[f32; 3]>,
     (eye, lights): ([f64; 3], &[&SceneLight]),
 ) -> EvaluatedAt {
@@ -47,8 +47,7 @@ pub(crate) fn evaluated_at(
     }
 }
 
-/// The terms that reach the pixel: each place's terms by its weight, as much of them as clamping
-/// leaves, times the texture.
+/// The terms that reach the pixel.
 pub(crate) struct Interpolated {
     pub(crate) emission: [f32; 3],
     pub(crate) scene_ambient: [f32; 3],
@@ -60,17 +59,9 @@ pub(crate) struct Interpolated {
 }
 
 impl Interpolated {
-    pub(crate) fn of(places: &[EvaluatedAt], texture: [f32; 3]) -> Self {
-        let color = |of: &dyn Fn(&EvaluatedAt) -> [f32; 3]| -> [f32; 3] {
-            std::array::from_fn(|channel| {
-                let part = |place: &EvaluatedAt| {
-                    place.weight * place.kept(channel) * of(place)[channel] * texture[channel]
-                };
-                places.iter().map(part).sum()
-            })
-        };
-        let count = places.first().map_or(0, |place| place.lights.len());
-        let light = |number: usize| {
+    /// What reaches the pixel of the light of places.
+    pub(crate) fn of(places: &[EvaluatedAt], mixed: MixedTerms) -> Self {
+        let light = |(number, mixed): (usize, &MixedLight)| {
             let terms = |place: &EvaluatedAt| place.lights[number].terms;
             let mean = |of: &dyn Fn(&LightTerms<f32>) -> f32| -> f32 {
                 places.iter().map(|place| place.weight * of(&terms(place))).sum()
@@ -101,67 +92,40 @@ impl Interpolated {
                         .map(|_| mean(&|terms| terms.distance.unwrap_or_default())),
                     attenuation: mean(&|terms| terms.attenuation),
                     spot: mean(&|terms| terms.spot),
-                    visibility: None,
-                    n_dot_l: mean(&|terms| terms.n_dot_l),
+                    visibility: mixed.visibility,
+                    n_dot_l: mixed.n_dot_l,
                     specular_cosine: first
                         .terms
                         .specular_cosine
                         .map(|_| mean(&|terms| terms.specular_cosine.unwrap_or_default())),
-                    ambient: rgb(color(&|place| terms(place).ambient.lane(0))),
-                    diffuse: rgb(color(&|place| terms(place).diffuse.lane(0))),
-                    specular: rgb(color(&|place| terms(place).specular.lane(0))),
+                    ambient: rgb(mixed.ambient),
+                    diffuse: rgb(mixed.diffuse),
+                    specular: rgb(mixed.specular),
                 },
             }
         };
         Self {
-            emission: color(&|place| place.emission),
-            scene_ambient: color(&|place| place.scene_ambient),
-            environment: color(&|place| place.environment),
+            emission: mixed.emission,
+            scene_ambient: mixed.scene_ambient,
+            environment: mixed.environment,
             mirrors: Vec::new(),
-            environment_diffuse: places
-                .first()
-                .and_then(|place| place.environment_diffuse)
-                .map(|_| color(&|place| place.environment_diffuse.unwrap_or_default())),
+            environment_diffuse: mixed.environment_diffuse,
             diffused: Vec::new(),
-            lights: (0..count).map(light).collect(),
+            lights: mixed.lights.iter().enumerate().map(light).collect(),
         }
     }
-}
 
-impl Interpolated {
-    /// The same where light is kept away from a sample: each light's terms times its V, what comes from
-    /// all around times the openness.
-    pub(crate) fn visible(
+    /// With what keeps lights away from a receiver.
+    pub(crate) fn in_shadow(
         mut self,
         scene: &ShadingContext<'_>,
         receiver: &Receiver,
         visible: &VisibleLights,
     ) -> Self {
-        let around = |light: [f32; 3]| light.map(|channel| channel * visible.openness);
-        self.scene_ambient = around(self.scene_ambient);
-        self.environment = around(self.environment);
-        self.environment_diffuse = self.environment_diffuse.map(around);
-        let has_shadows = scene.shadows.is_some_and(|shadows| !shadows.sources.is_empty());
-        for (number, (light, &visibility)) in
-            self.lights.iter_mut().zip(&visible.visibility).enumerate()
-        {
-            let terms = &mut light.terms;
-            let is_asked = visibility.is_some();
-            let visibility = visibility.unwrap_or(1.0);
-            terms.visibility = has_shadows.then_some(visibility);
-            terms.ambient = terms.ambient * (visibility * visible.openness);
-            terms.diffuse = terms.diffuse * visibility;
-            terms.specular = terms.specular * visibility;
+        for (number, light) in self.lights.iter_mut().enumerate() {
+            let is_asked = visible.visibility[number].is_some();
             light.shadow = shadow_of(scene, receiver, number, is_asked);
         }
         self
-    }
-}
-
-impl EvaluatedAt {
-    /// The part of a channel that clamping leaves.
-    fn kept(&self, channel: usize) -> f32 {
-        let (sum, light) = (self.sum[channel], self.light[channel]);
-        if sum == light { 1.0 } else { light / sum }
     }
 }

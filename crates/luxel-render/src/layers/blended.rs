@@ -1,6 +1,7 @@
 //! Terms of light where surfaces blend: each surface counts by its alpha and by what the surfaces before
 //! it let through, as in the picture, so that the terms sum to the colour times alpha.
 
+use super::elsewhere::terms_elsewhere;
 use super::pass::{LayerWorker, Pass};
 use super::planes::TileValues;
 use super::witness::{LayerWitness, LightLanes};
@@ -68,6 +69,9 @@ impl Pass<'_> {
         of_lights.fill(LightLanes::NOTHING);
         let mut witness = LayerWitness::new(vector, [false, true], of_lights);
         let [.., alpha] = shade(vector, self.scene, &batch, cache, &mut witness);
+        if self.is_lit_elsewhere {
+            terms_elsewhere(self.scene, &batch, cache, lanes, &mut witness);
+        }
         let mut weights = [0.0; LANES];
         for lane in lanes_of(lanes) {
             let alpha = alpha.lane(lane);
@@ -77,11 +81,7 @@ impl Pass<'_> {
         let seen = vector.mask_of(lanes);
         for (plane, values) in self.planes.iter().zip(tiles) {
             let TileValues::F32(values) = values else { continue };
-            let mut terms = if self.terms_one_by_one {
-                self.terms_of_lanes(plane.layer, &batch, cache)
-            } else {
-                self.values(plane.layer, &witness, seen)
-            };
+            let mut terms = self.values(plane.layer, &witness, seen);
             for channel in &mut terms {
                 for (term, weight) in channel.iter_mut().zip(weights) {
                     *term *= weight;

@@ -7,6 +7,7 @@
 //! take a pass of their own, over all layers.
 
 mod blended;
+mod elsewhere;
 mod pass;
 mod passes;
 mod planes;

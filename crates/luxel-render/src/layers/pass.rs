@@ -1,11 +1,11 @@
 //! The one pass that fills all layers, and the picture where both see the same.
 
+use super::elsewhere::terms_elsewhere;
 use super::planes::{BlockValues, Plane, TileValues, background, stored};
-use super::sample::{RecentTriangles, Triangles, term};
+use super::sample::{RecentTriangles, Triangles};
 use super::witness::{LayerWitness, LightLanes};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
-use crate::explain::Lit;
 use crate::frame::{
     AHEAD, ALL_BLOCKS, Bands, BusyWorker, Picture, RenderError, Renderer, Stages, Subdivision,
     TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
@@ -87,8 +87,8 @@ impl Renderer {
                 maps_normals,
                 geometry: (!reads_attributes).then_some(geometry),
                 has_numbers: layers.iter().any(Layer::is_id),
-                with_terms: with_terms && at_pixels,
-                terms_one_by_one: with_terms && !at_pixels,
+                with_terms,
+                is_lit_elsewhere: with_terms && !at_pixels,
             };
             let are_all_drawn = pass.pixels.is_some() && scene.backdrop.is_some();
             for_tiles(scene.frame, &|_| true, are_all_drawn, stop, || pass.worker(), &pass);
@@ -126,10 +126,10 @@ pub(super) struct Pass<'p> {
     has_numbers: bool,
     /// Whether layers are sums over blended surfaces.
     is_blended: bool,
-    /// Whether layers show terms of light that is computed at pixels.
+    /// Whether layers show terms of light.
     with_terms: bool,
-    /// Whether layers show terms of light that is computed elsewhere.
-    pub(super) terms_one_by_one: bool,
+    /// Whether layers show terms of light that may be computed elsewhere than at pixels.
+    pub(super) is_lit_elsewhere: bool,
 }
 
 /// What one thread draws with.
@@ -259,6 +259,10 @@ impl<'p> Pass<'p> {
         let mut witness = LayerWitness::new(vector, needs, of_lights);
         if self.pixels.is_some() || self.with_terms {
             let lit = shade(vector, scene, &batch, cache, &mut witness);
+            if self.is_lit_elsewhere {
+                let seen = !vector.eq_mask(&ids, TriangleId::NONE.0) & vector.all_lanes();
+                terms_elsewhere(scene, &batch, cache, seen, &mut witness);
+            }
             if self.pixels.is_some() {
                 let color = even_pixels(simd, over_backdrop(simd, scene, &batch, lit, cache));
                 put_block(pixels, block, &self.finish().block(simd, color));
@@ -284,11 +288,7 @@ impl<'p> Pass<'p> {
                     plane.put_values(values, block, &[*ids; 3]);
                 }
                 TileValues::F32(values) => {
-                    let found = if self.terms_one_by_one && plane.layer.is_lit() {
-                        self.terms_of_lanes(plane.layer, &batch, cache)
-                    } else {
-                        self.values(plane.layer, &witness, seen)
-                    };
+                    let found = self.values(plane.layer, &witness, seen);
                     plane.put_values(values, block, &found);
                 }
             }
@@ -378,25 +378,6 @@ impl<'p> Pass<'p> {
             }
         }
         places
-    }
-
-    /// A term of light that is computed elsewhere than at the pixel, lane by lane.
-    #[cold]
-    pub(super) fn terms_of_lanes(
-        &self,
-        layer: &Layer,
-        batch: &Batch,
-        cache: &mut ThreadCache,
-    ) -> BlockValues {
-        let mut values = [[0.0; LANES]; 3];
-        for lane in 0..LANES {
-            let lit = Lit::of(self.scene, self.eye, &self.lights, &batch.only(lane), cache);
-            let Some(lit) = lit else { continue };
-            for (values, value) in values.iter_mut().zip(term(layer, &lit)) {
-                values[lane] = value;
-            }
-        }
-        values
     }
 }
 

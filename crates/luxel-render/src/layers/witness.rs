@@ -3,7 +3,7 @@
 use crate::context::ShadingContext;
 use crate::interpolate::Fragments;
 use crate::material::{SurfaceWitness, shading_normal};
-use crate::shade::BlockWitness;
+use crate::shade::{BlockWitness, MixedTerms};
 use luxel_lighting::{LightTerms, SurfacePoint, Terms, Witness};
 use luxel_math::{LANES, Lanes, Rgb, Vec3};
 
@@ -16,6 +16,8 @@ pub(crate) struct LayerWitness<'w, N: Lanes> {
     pub(crate) hears_terms: bool,
     /// Barycentrics.
     pub(crate) weights: [N; 3],
+    /// The texture of the base colour where light was computed elsewhere; 0 in other lanes.
+    pub(crate) tint: Rgb<N>,
     pub(crate) position: Vec3<N>,
     /// Of unit length, with normal maps if they are needed.
     pub(crate) normal: Vec3<N>,
@@ -72,6 +74,7 @@ impl<'w, N: Lanes> LayerWitness<'w, N> {
             maps_normals,
             hears_terms,
             weights: [zero; 3],
+            tint: black,
             position: nowhere,
             normal: nowhere,
             uv: [zero; 2],
@@ -89,6 +92,39 @@ impl<'w, N: Lanes> LayerWitness<'w, N> {
             mask: simd.mask_of(0),
             sums: [black; 3],
         }
+    }
+}
+
+impl<N: Lanes> LayerWitness<'_, N> {
+    /// Takes the terms of one lane, whose light was computed elsewhere.
+    pub(crate) fn put_lane(&mut self, lane: usize, terms: &MixedTerms, openness: f32) {
+        let mut sums = [[0.0_f32; 3]; 3];
+        for light in &terms.lights {
+            let each = [light.ambient, light.diffuse, light.specular];
+            for (sum, term) in sums.iter_mut().zip(each) {
+                *sum = [0, 1, 2].map(|channel| sum[channel] + term[channel]);
+            }
+            let Some(kept) = self.of_lights.get_mut(light.index) else { continue };
+            kept.visibility[lane] = light.visibility.unwrap_or(1.0);
+            for (channel, kept) in kept.sum.iter_mut().enumerate() {
+                kept[lane] = each[0][channel] + each[1][channel] + each[2][channel];
+            }
+        }
+        let [ambient, diffuse, specular] = sums;
+        let put = |into: &mut Rgb<N>, [r, g, b]: [f32; 3]| {
+            into.r = into.r.with_lane(lane, r);
+            into.g = into.g.with_lane(lane, g);
+            into.b = into.b.with_lane(lane, b);
+        };
+        let scene_ambient = terms.scene_ambient;
+        put(&mut self.ambient, [0, 1, 2].map(|channel| scene_ambient[channel] + ambient[channel]));
+        put(&mut self.diffuse, diffuse);
+        put(&mut self.specular, specular);
+        put(&mut self.emission, terms.emission);
+        put(&mut self.environment, terms.environment);
+        let n_dot_l = terms.lights.first().map_or(0.0, |light| light.n_dot_l);
+        self.n_dot_l = self.n_dot_l.with_lane(lane, n_dot_l);
+        self.openness = self.openness.with_lane(lane, openness);
     }
 }
 
@@ -141,7 +177,12 @@ impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
     }
 }
 
-impl<N: Lanes> SurfaceWitness<N> for LayerWitness<'_, N> {}
+impl<N: Lanes> SurfaceWitness<N> for LayerWitness<'_, N> {
+    #[inline(always)]
+    fn elsewhere(&mut self, _: &SurfacePoint<N>, tint: Rgb<N>, _: Rgb<N>) {
+        self.tint = tint.select(self.mask, self.tint);
+    }
+}
 
 impl<N: Lanes> BlockWitness<N> for LayerWitness<'_, N> {
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! Triangles whose light is computed elsewhere than at their pixels, or which are interpolated in the
 //! window: looked up and lit once, not for every sample.
 
+use super::place_terms::{LitPlace, PlaceTerms};
 use super::screen_interpolation::{InWindow, Outline};
 use super::whole_place::WholePlaces;
 use crate::context::{AttributeMask, LitAt, ShadingContext};
@@ -36,6 +37,8 @@ pub(crate) struct LitTriangle {
     pub(crate) has: AttributeMask,
     pub(crate) corners: [Corner; 3],
     own_light: OwnLight,
+    /// Terms of its places that were needed last, by number.
+    terms: Vec<(u32, PlaceTerms)>,
     /// The polygon in the window, where interpolation goes without perspective.
     pub(crate) outline: Option<Box<Outline>>,
 }
@@ -48,6 +51,8 @@ pub(crate) struct LitTriangles {
 
 /// Entries of the cache: 128 KiB, a part of a core's second-level cache.
 const ENTRIES: usize = 256;
+/// Most terms of places that a triangle keeps: neighbouring samples lie in the same pieces.
+const MOST_TERMS: usize = 32;
 /// Spreads ids over entries: 2^32 divided by the golden ratio (Knuth, The Art of Computer Programming 3, 6.4).
 const MULTIPLIER: u32 = 0x9e37_79b9;
 
@@ -73,7 +78,7 @@ impl LitTriangles {
         &mut self,
         scene: &ShadingContext<'_>,
         id: TriangleId,
-    ) -> Option<&LitTriangle> {
+    ) -> Option<&mut LitTriangle> {
         if self.entries.is_empty() {
             self.entries.resize(ENTRIES, None);
         }
@@ -84,7 +89,7 @@ impl LitTriangles {
             seen.light_elsewhere(scene);
             *entry = Some(seen);
         }
-        entry.as_ref()
+        entry.as_mut()
     }
 }
 
@@ -109,6 +114,7 @@ impl LitTriangle {
             has: AttributeMask::of_mesh(mesh),
             corners: [corner(0), corner(1), corner(2)],
             own_light: OwnLight::None,
+            terms: Vec::new(),
             outline: None,
         }
     }
@@ -267,22 +273,63 @@ impl LitTriangle {
         }
     }
 
-    /// Where the light at a place of the triangle was computed, with the weights.
-    pub(crate) fn lit_at(&self, barycentric: [f32; 3], position: [f64; 2]) -> Vec<(f32, Corner)> {
+    /// Where the light at a place of the triangle was computed.
+    pub(crate) fn lit_at(&self, barycentric: [f32; 3], position: [f64; 2]) -> Vec<LitPlace> {
+        let numbered = |places: &[Corner], weights: &[f32]| -> Vec<LitPlace> {
+            let places = (0..).zip(places).zip(weights);
+            places
+                .map(|((number, corner), weight)| LitPlace {
+                    weight: *weight,
+                    number,
+                    corner: *corner,
+                })
+                .collect()
+        };
         match (&self.own_light, &self.outline) {
-            (OwnLight::Whole(whole), _) => vec![(1.0, **whole)],
+            (OwnLight::Whole(whole), _) => numbered(&[**whole], &[1.0]),
             (OwnLight::Pieces(pieces), _) => {
                 let (places, weights) = pieces.piece(barycentric);
-                let corners = places.map(|place| Corner::weighted(&self.corners, place));
-                weights.into_iter().zip(corners).collect()
+                let places = places.into_iter().zip(weights);
+                let lit = |((number, place), weight)| {
+                    let corner = Corner::weighted(&self.corners, place);
+                    LitPlace { weight, number, corner }
+                };
+                places.map(lit).collect()
             }
-            (OwnLight::None, None) => barycentric.into_iter().zip(self.corners).collect(),
+            (OwnLight::None, None) => numbered(&self.corners, &barycentric),
             (OwnLight::None, Some(outline)) => {
-                let weights = outline.corner_weights(position).into_iter();
-                let corners = outline.corners.iter().copied();
-                weights.zip(corners).filter(|(weight, _)| *weight > 0.0).collect()
+                let weights = outline.corner_weights(position);
+                let mut places = numbered(&outline.corners, &weights);
+                places.retain(|place| place.weight > 0.0);
+                places
             }
         }
+    }
+
+    /// The terms of places, by weight: under a texel, where pieces are lit for every texel.
+    pub(crate) fn terms(
+        &mut self,
+        scene: &ShadingContext<'_>,
+        places: &[LitPlace],
+        texel: [f32; 3],
+    ) -> Vec<(f32, &PlaceTerms)> {
+        let is_textured = scene.lit_at(self.material as usize) == LitAt::PiecesUnderTexels;
+        if is_textured || self.terms.len() > MOST_TERMS {
+            self.terms.clear();
+        }
+        for LitPlace { number, corner, .. } in places {
+            if self.terms.iter().all(|(known, _)| known != number) {
+                let of = (self.has, self.material);
+                let texel = is_textured.then_some(texel);
+                self.terms.push((*number, PlaceTerms::of(scene, corner, of, texel)));
+            }
+        }
+        let terms = &self.terms;
+        let known = |place: &LitPlace| {
+            let (_, known) = terms.iter().find(|(number, _)| *number == place.number)?;
+            Some((place.weight, known))
+        };
+        places.iter().filter_map(known).collect()
     }
 
     /// The attributes at a position in pixels, interpolated in the window. The place stays where it is:

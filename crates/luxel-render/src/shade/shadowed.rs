@@ -1,10 +1,10 @@
 //! Light that was computed elsewhere than at a sample, of which lights are kept away there.
 
 use super::lit_triangle::LitTriangle;
-use crate::context::{LitAt, ShadingContext};
-use crate::material::{Corner, SurfaceWitness, light_at, light_under};
+use super::place_terms::LitPlace;
+use crate::context::ShadingContext;
 use crate::shadow::Receiver;
-use luxel_lighting::{Ledger, LightTerms, PlacedLight, Terms, Witness};
+use luxel_lighting::{LightTerms, PlacedLight};
 use luxel_math::Vec3;
 use luxel_visibility::TriangleId;
 
@@ -27,18 +27,18 @@ impl VisibleLights {
         scene: &ShadingContext<'_>,
         id: TriangleId,
         (barycentric, position): ([f32; 3], [f64; 2]),
-        places: &[(f32, Corner)],
+        places: &[LitPlace],
     ) -> Option<Self> {
         let shadows = scene.shadows?;
-        let sum = places.iter().fold([0.0; 3], |sum: [f32; 3], (weight, corner)| {
-            std::array::from_fn(|axis| sum[axis] + weight * corner.normal[axis])
+        let sum = places.iter().fold([0.0; 3], |sum: [f32; 3], place| {
+            std::array::from_fn(|axis| sum[axis] + place.weight * place.corner.normal[axis])
         });
         let normal = Vec3::new(sum[0], sum[1], sum[2]).normalized_or_zero().lane(0);
         let place = shadows.place(id, barycentric);
         let receiver =
             Receiver { id, barycentric, normal, smooth: normal, position, is_between: true };
         let visible = |(light, placed): (usize, &PlacedLight)| {
-            let is_lit = |(_, corner): &(f32, Corner)| {
+            let is_lit = |LitPlace { corner, .. }: &LitPlace| {
                 let ([x, y, z], [n_x, n_y, n_z]) = (corner.position, corner.normal);
                 Vec3::new(n_x, n_y, n_z).dot(placed.to_light(Vec3::new(x, y, z))) > 0.0
             };
@@ -63,24 +63,16 @@ impl VisibleLights {
     pub(crate) fn light(
         &self,
         scene: &ShadingContext<'_>,
-        triangle: &LitTriangle,
-        places: &[(f32, Corner)],
+        triangle: &mut LitTriangle,
+        places: &[LitPlace],
         texel: [f32; 3],
     ) -> Option<[f32; 3]> {
         let visibility = |light: usize| self.visibility[light].unwrap_or(1.0);
         if self.openness == 1.0 && self.visibility.iter().all(|v| v.unwrap_or(1.0) == 1.0) {
             return None;
         }
-        let (has, material) = (triangle.has, triangle.material);
-        let is_textured = scene.lit_at(material as usize) == LitAt::PiecesUnderTexels;
         let mut sum = [0.0; 3];
-        for (weight, corner) in places {
-            let mut terms = PlaceTerms(Ledger::default());
-            let light = match is_textured {
-                true => light_under(scene, corner, has, material, texel, &mut terms),
-                false => light_at(scene, corner, has, material, &mut terms),
-            };
-            let Ledger { emission, scene_ambient, environment, sum: whole, lights, .. } = &terms.0;
+        for (weight, terms) in triangle.terms(scene, places, texel) {
             for channel in 0..3 {
                 let of_light = |terms: &LightTerms<f32>| {
                     let LightTerms { ambient, diffuse, specular, .. } = terms;
@@ -88,31 +80,14 @@ impl VisibleLights {
                         + diffuse.lane(0)[channel]
                         + specular.lane(0)[channel]
                 };
-                let around = scene_ambient[channel] + environment[channel];
-                let mut arriving = emission[channel] + self.openness * around;
-                for entry in lights {
+                let around = terms.scene_ambient[channel] + terms.environment[channel];
+                let mut arriving = terms.emission[channel] + self.openness * around;
+                for entry in &terms.lights {
                     arriving += visibility(entry.index) * of_light(&entry.terms);
                 }
-                let (whole, light) = (whole[channel], light[channel]);
-                let kept = if whole == light { 1.0 } else { light / whole };
-                sum[channel] += weight * kept * arriving;
+                sum[channel] += weight * terms.kept(channel) * arriving;
             }
         }
         Some(sum)
     }
 }
-
-/// Writes down the terms of a place.
-struct PlaceTerms(Ledger);
-
-impl Witness<f32> for PlaceTerms {
-    fn light(&mut self, index: usize, terms: &LightTerms<f32>) {
-        self.0.light(index, terms);
-    }
-
-    fn terms(&mut self, terms: &Terms<f32>) {
-        self.0.terms(terms);
-    }
-}
-
-impl SurfaceWitness<f32> for PlaceTerms {}

@@ -179,10 +179,10 @@ impl Pieces {
         pieces
     }
 
-    /// The corners of the piece that holds a place, and the place's barycentrics in it.
-    pub(crate) fn piece(&self, place: Place) -> ([Place; 3], [f32; 3]) {
+    /// The corners of the piece that holds a place, by number, and the place's barycentrics in it.
+    pub(crate) fn piece(&self, place: Place) -> ([(u32, Place); 3], [f32; 3]) {
         let (corners, weights) = self.find(place);
-        (corners.map(|corner| self.places[corner as usize].0), weights)
+        (corners.map(|corner| (corner, self.places[corner as usize].0)), weights)
     }
 
     /// The interpolated light at a place, under a texel.
@@ -519,7 +519,7 @@ mod tests {
         let pieces = pieces(1.0, highlight);
         let place = [0.41, 0.28, 0.31];
         let (corners, weights) = pieces.piece(place);
-        let back = mixed(corners, weights);
+        let back = mixed(corners.map(|(_, corner)| corner), weights);
         assert!(back.iter().zip(place).all(|(a, b)| (a - b).abs() < 1e-5), "{back:?}");
     }
 }
