@@ -350,7 +350,9 @@ impl Lit {
                 }
                 evaluated.push(there);
             }
-            let terms = MixedTerms::of(&triangle.terms(scene, &places, tint), texture);
+            let terms = triangle.terms(scene, &places, tint);
+            let weighted: Vec<_> = places.iter().map(|place| place.weight).zip(terms).collect();
+            let terms = MixedTerms::of(&weighted, Rgb::splat(0.0, texture));
             mixed = Some(match &visible {
                 Some(visible) => terms.visible(scene, visible),
                 None => terms,

@@ -9,7 +9,7 @@ use crate::material::{light_at, light_under};
 use crate::shade::{LitPlace, LitTriangle, MixedLight, MixedTerms, VisibleLights};
 use crate::shadow::Receiver;
 use luxel_lighting::{DiffuseTerms, LightTerms, MirrorTerms, Reflectance};
-use luxel_math::{Rgb, Vec3};
+use luxel_math::Vec3;
 use luxel_scene::SceneLight;
 
 /// Lights a place again, with its terms written down: under a texel, if pieces are lit for every texel.
@@ -60,14 +60,13 @@ pub(crate) struct Interpolated {
 
 impl Interpolated {
     /// What reaches the pixel of the light of places.
-    pub(crate) fn of(places: &[EvaluatedAt], mixed: MixedTerms) -> Self {
-        let light = |(number, mixed): (usize, &MixedLight)| {
+    pub(crate) fn of(places: &[EvaluatedAt], mixed: MixedTerms<f32>) -> Self {
+        let light = |(number, mixed): (usize, &MixedLight<f32>)| {
             let terms = |place: &EvaluatedAt| place.lights[number].terms;
             let mean = |of: &dyn Fn(&LightTerms<f32>) -> f32| -> f32 {
                 places.iter().map(|place| place.weight * of(&terms(place))).sum()
             };
             let first = &places[0].lights[number];
-            let rgb = |[r, g, b]: [f32; 3]| Rgb::new(r, g, b);
             let towards = Vec3::new(
                 mean(&|terms| terms.to_light.x),
                 mean(&|terms| terms.to_light.y),
@@ -98,18 +97,18 @@ impl Interpolated {
                         .terms
                         .specular_cosine
                         .map(|_| mean(&|terms| terms.specular_cosine.unwrap_or_default())),
-                    ambient: rgb(mixed.ambient),
-                    diffuse: rgb(mixed.diffuse),
-                    specular: rgb(mixed.specular),
+                    ambient: mixed.ambient,
+                    diffuse: mixed.diffuse,
+                    specular: mixed.specular,
                 },
             }
         };
         Self {
-            emission: mixed.emission,
-            scene_ambient: mixed.scene_ambient,
-            environment: mixed.environment,
+            emission: mixed.emission.lane(0),
+            scene_ambient: mixed.scene_ambient.lane(0),
+            environment: mixed.environment.lane(0),
             mirrors: Vec::new(),
-            environment_diffuse: mixed.environment_diffuse,
+            environment_diffuse: mixed.environment_diffuse.map(|light| light.lane(0)),
             diffused: Vec::new(),
             lights: mixed.lights.iter().enumerate().map(light).collect(),
         }

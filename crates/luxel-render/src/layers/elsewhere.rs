@@ -3,12 +3,14 @@
 use super::witness::LayerWitness;
 use crate::context::{LitAt, ShadingContext};
 use crate::interpolate::Batch;
-use crate::shade::{MixedTerms, ThreadCache, VisibleLights};
-use luxel_math::{Lanes, lanes_of};
+use crate::shade::{LitTriangle, MixedTerms, ThreadCache, VisibleLights};
+use luxel_math::{LANES, Lanes, Rgb};
 use luxel_visibility::TriangleId;
 
-/// Gives the witness the terms of light that was computed elsewhere than at the pixels, lane by lane.
-#[cold]
+/// Gives the witness the terms of light that was computed elsewhere than at the pixels: all lanes together that see one
+/// triangle, if they mix the light of the same places.
+///
+/// Outlined: one copy per lane type.
 #[inline(never)]
 pub(super) fn terms_elsewhere<N: Lanes>(
     scene: &ShadingContext<'_>,
@@ -17,26 +19,49 @@ pub(super) fn terms_elsewhere<N: Lanes>(
     seen: u32,
     witness: &mut LayerWitness<'_, N>,
 ) {
-    for lane in lanes_of(seen) {
-        let id = TriangleId(batch.ids[lane]);
-        let Some(triangle) = cache.lit.get(scene, id) else { continue };
-        let lit_at = scene.lit_at(triangle.material as usize);
-        if lit_at == LitAt::Pixels {
-            continue;
-        }
-        let barycentric = witness.weights.map(|weight| weight.lane(lane));
-        let seen_at = (barycentric, batch.position(lane));
-        let places = triangle.lit_at(seen_at.0, seen_at.1);
-        let visible = VisibleLights::of(scene, id, seen_at, &places);
-        let tint = witness.tint.lane(lane);
-        // A texel under which the light was computed is a factor of its terms already.
-        let texture = if lit_at == LitAt::PiecesUnderTexels { [1.0; 3] } else { tint };
-        let mut terms = MixedTerms::of(&triangle.terms(scene, &places, tint), texture);
-        let mut openness = 1.0;
-        if let Some(visible) = visible {
-            terms = terms.visible(scene, &visible);
-            openness = visible.openness;
-        }
-        witness.put_lane(lane, &terms, openness);
-    }
+    witness.depth.vectorized(
+        #[inline(always)]
+        || {
+            let simd = witness.depth;
+            let mut left = seen;
+            while left != 0 {
+                let lane = left.trailing_zeros() as usize & (LANES - 1);
+                let id = batch.ids[lane];
+                let mut lanes = simd.eq_mask(&batch.ids, id) & left;
+                let lit_at = |of: &LitTriangle| scene.lit_at(of.material as usize);
+                let triangle = cache.lit.get(scene, TriangleId(id));
+                let Some(triangle) = triangle.filter(|of| lit_at(of) != LitAt::Pixels) else {
+                    left &= !lanes;
+                    continue;
+                };
+                let are_together = scene.shadows.is_none() && triangle.has_same_places();
+                if !are_together {
+                    lanes = 1 << lane;
+                }
+                left &= !lanes;
+                let seen_at =
+                    (witness.weights.map(|weight| weight.lane(lane)), batch.position(lane));
+                let places = triangle.lit_at(seen_at.0, seen_at.1);
+                let visible = VisibleLights::of(scene, TriangleId(id), seen_at, &places);
+                let weights = places.iter().map(|place| match are_together && places.len() > 1 {
+                    true => witness.weights[place.number as usize],
+                    false => simd.constant(place.weight),
+                });
+                // A texel under which the light was computed is a factor of its terms already.
+                let texture = match lit_at(triangle) {
+                    LitAt::PiecesUnderTexels => Rgb::splat(simd, [1.0; 3]),
+                    LitAt::Elsewhere | LitAt::Pixels => witness.tint,
+                };
+                let terms = triangle.terms(scene, &places, witness.tint.lane(lane));
+                let weighted: Vec<_> = weights.zip(terms).collect();
+                let terms = MixedTerms::of(&weighted, texture);
+                match visible {
+                    Some(visible) => {
+                        witness.put_terms(lanes, &terms.visible(scene, &visible), visible.openness);
+                    }
+                    None => witness.put_terms(lanes, &terms, 1.0),
+                }
+            }
+        },
+    );
 }

@@ -3,7 +3,7 @@
 use crate::context::ShadingContext;
 use crate::interpolate::Fragments;
 use crate::material::{SurfaceWitness, shading_normal};
-use crate::shade::{BlockWitness, MixedTerms};
+use crate::shade::{BlockWitness, MixedLight, MixedTerms};
 use luxel_lighting::{LightTerms, SurfacePoint, Terms, Witness};
 use luxel_math::{LANES, Lanes, Rgb, Vec3};
 
@@ -96,35 +96,46 @@ impl<'w, N: Lanes> LayerWitness<'w, N> {
 }
 
 impl<N: Lanes> LayerWitness<'_, N> {
-    /// Takes the terms of one lane, whose light was computed elsewhere.
-    pub(crate) fn put_lane(&mut self, lane: usize, terms: &MixedTerms, openness: f32) {
-        let mut sums = [[0.0_f32; 3]; 3];
-        for light in &terms.lights {
-            let each = [light.ambient, light.diffuse, light.specular];
-            for (sum, term) in sums.iter_mut().zip(each) {
-                *sum = [0, 1, 2].map(|channel| sum[channel] + term[channel]);
+    /// Takes the terms of lanes whose light was computed elsewhere.
+    #[inline(always)]
+    pub(crate) fn put_terms(&mut self, lanes: u32, terms: &MixedTerms<N>, openness: f32) {
+        self.lanes(lanes);
+        self.openness(self.simd.constant(openness));
+        for (number, light) in terms.lights.iter().enumerate() {
+            let MixedLight { ambient, diffuse, specular, .. } = *light;
+            let of_all = self.sums;
+            self.sums = [of_all[0] + ambient, of_all[1] + diffuse, of_all[2] + specular];
+            if number == 0 {
+                self.n_dot_l = light.n_dot_l.select(self.mask, self.n_dot_l);
             }
-            let Some(kept) = self.of_lights.get_mut(light.index) else { continue };
-            kept.visibility[lane] = light.visibility.unwrap_or(1.0);
-            for (channel, kept) in kept.sum.iter_mut().enumerate() {
-                kept[lane] = each[0][channel] + each[1][channel] + each[2][channel];
-            }
+            self.keep_light(light.index, ambient + diffuse + specular, light.visibility);
         }
-        let [ambient, diffuse, specular] = sums;
-        let put = |into: &mut Rgb<N>, [r, g, b]: [f32; 3]| {
-            into.r = into.r.with_lane(lane, r);
-            into.g = into.g.with_lane(lane, g);
-            into.b = into.b.with_lane(lane, b);
-        };
-        let scene_ambient = terms.scene_ambient;
-        put(&mut self.ambient, [0, 1, 2].map(|channel| scene_ambient[channel] + ambient[channel]));
-        put(&mut self.diffuse, diffuse);
-        put(&mut self.specular, specular);
-        put(&mut self.emission, terms.emission);
-        put(&mut self.environment, terms.environment);
-        let n_dot_l = terms.lights.first().map_or(0.0, |light| light.n_dot_l);
-        self.n_dot_l = self.n_dot_l.with_lane(lane, n_dot_l);
-        self.openness = self.openness.with_lane(lane, openness);
+        let MixedTerms { emission, scene_ambient, environment, .. } = *terms;
+        self.keep_terms(emission, scene_ambient, environment);
+    }
+
+    /// Keeps the sum of a light's terms, and V.
+    #[inline(always)]
+    fn keep_light(&mut self, index: usize, sum: Rgb<N>, visibility: Option<N>) {
+        let Some(kept) = self.of_lights.get_mut(index) else { return };
+        if let Some(visibility) = visibility {
+            let others = self.simd.load(&kept.visibility, 0);
+            visibility.select(self.mask, others).store(&mut kept.visibility, 0);
+        }
+        for (kept, channel) in kept.sum.iter_mut().zip([sum.r, sum.g, sum.b]) {
+            channel.select(self.mask, self.simd.load(kept, 0)).store(kept, 0);
+        }
+    }
+
+    /// Keeps the sums of all terms.
+    #[inline(always)]
+    fn keep_terms(&mut self, emission: Rgb<N>, scene_ambient: Rgb<N>, environment: Rgb<N>) {
+        let (mask, [ambient, diffuse, specular]) = (self.mask, self.sums);
+        self.ambient = (scene_ambient + ambient).select(mask, self.ambient);
+        self.diffuse = diffuse.select(mask, self.diffuse);
+        self.specular = specular.select(mask, self.specular);
+        self.emission = emission.select(mask, self.emission);
+        self.environment = environment.select(mask, self.environment);
     }
 }
 
@@ -139,16 +150,7 @@ impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
         if index == 0 {
             self.n_dot_l = terms.n_dot_l.select(self.mask, self.n_dot_l);
         }
-        if let Some(kept) = self.of_lights.get_mut(index) {
-            let sum = terms.ambient + terms.diffuse + terms.specular;
-            if let Some(visibility) = terms.visibility {
-                let others = self.simd.load(&kept.visibility, 0);
-                visibility.select(self.mask, others).store(&mut kept.visibility, 0);
-            }
-            for (kept, channel) in kept.sum.iter_mut().zip([sum.r, sum.g, sum.b]) {
-                channel.select(self.mask, self.simd.load(kept, 0)).store(kept, 0);
-            }
-        }
+        self.keep_light(index, terms.ambient + terms.diffuse + terms.specular, terms.visibility);
     }
 
     #[inline(always)]
@@ -161,12 +163,7 @@ impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
         if !self.hears_terms {
             return;
         }
-        let (mask, [ambient, diffuse, specular]) = (self.mask, self.sums);
-        self.ambient = (terms.scene_ambient + ambient).select(mask, self.ambient);
-        self.diffuse = diffuse.select(mask, self.diffuse);
-        self.specular = specular.select(mask, self.specular);
-        self.emission = terms.emission.select(mask, self.emission);
-        self.environment = terms.environment.select(mask, self.environment);
+        self.keep_terms(terms.emission, terms.scene_ambient, terms.environment);
     }
 
     #[inline(always)]

@@ -306,13 +306,19 @@ impl LitTriangle {
         }
     }
 
-    /// The terms of places, by weight: under a texel, where pieces are lit for every texel.
+    /// Whether the places where light was computed are the same for all samples, which mix corners by their
+    /// barycentrics.
+    pub(crate) fn has_same_places(&self) -> bool {
+        !matches!(self.own_light, OwnLight::Pieces(_)) && self.outline.is_none()
+    }
+
+    /// The terms of places: under a texel, where pieces are lit for every texel.
     pub(crate) fn terms(
         &mut self,
         scene: &ShadingContext<'_>,
         places: &[LitPlace],
         texel: [f32; 3],
-    ) -> Vec<(f32, &PlaceTerms)> {
+    ) -> impl Iterator<Item = &PlaceTerms> {
         let is_textured = scene.lit_at(self.material as usize) == LitAt::PiecesUnderTexels;
         if is_textured || self.terms.len() > MOST_TERMS {
             self.terms.clear();
@@ -324,12 +330,11 @@ impl LitTriangle {
                 self.terms.push((*number, PlaceTerms::of(scene, corner, of, texel)));
             }
         }
-        let terms = &self.terms;
         let known = |place: &LitPlace| {
-            let (_, known) = terms.iter().find(|(number, _)| *number == place.number)?;
-            Some((place.weight, known))
+            let known = self.terms.iter().find(|(number, _)| *number == place.number);
+            known.map(|(_, terms)| terms)
         };
-        places.iter().filter_map(known).collect()
+        places.iter().filter_map(known)
     }
 
     /// The attributes at a position in pixels, interpolated in the window. The place stays where it is:

@@ -4,7 +4,7 @@ use super::shadowed::VisibleLights;
 use crate::context::{AttributeMask, ShadingContext};
 use crate::material::{Corner, SurfaceWitness, light_at, light_under};
 use luxel_lighting::{Ledger, LedgerLight, LightTerms, Terms, Witness};
-use luxel_math::Rgb;
+use luxel_math::{Lanes, Rgb};
 
 /// A place of a triangle where light was computed, and how much of it a sample takes.
 pub(crate) struct LitPlace {
@@ -22,10 +22,8 @@ pub(crate) struct PlaceTerms {
     pub(crate) environment: [f32; 3],
     environment_diffuse: Option<[f32; 3]>,
     pub(crate) lights: Vec<LedgerLight>,
-    /// The sum of all terms.
-    sum: [f32; 3],
-    /// What is interpolated: the sum, clamped if the view says so.
-    light: [f32; 3],
+    /// The part of each channel that clamping leaves.
+    pub(crate) kept: [f32; 3],
 }
 
 impl PlaceTerms {
@@ -43,13 +41,11 @@ impl PlaceTerms {
         };
         let Ledger { emission, scene_ambient, environment, environment_diffuse, .. } = heard.0;
         let Ledger { sum, lights, .. } = heard.0;
-        Self { emission, scene_ambient, environment, environment_diffuse, lights, sum, light }
-    }
-
-    /// The part of a channel that clamping leaves.
-    pub(crate) fn kept(&self, channel: usize) -> f32 {
-        let (sum, light) = (self.sum[channel], self.light[channel]);
-        if sum == light { 1.0 } else { light / sum }
+        let kept = [0, 1, 2].map(|channel| match sum[channel] == light[channel] {
+            true => 1.0,
+            false => light[channel] / sum[channel],
+        });
+        Self { emission, scene_ambient, environment, environment_diffuse, lights, kept }
     }
 }
 
@@ -72,78 +68,96 @@ impl Witness<f32> for TermsAlone {
 
 impl SurfaceWitness<f32> for TermsAlone {}
 
-/// The terms that reach a sample: each place's terms by its weight, as much of them as clamping leaves, times a
+/// The terms that reach samples: each place's terms by its weight, as much of them as clamping leaves, times a
 /// texture.
-pub(crate) struct MixedTerms {
-    pub(crate) emission: [f32; 3],
-    pub(crate) scene_ambient: [f32; 3],
-    pub(crate) environment: [f32; 3],
-    pub(crate) environment_diffuse: Option<[f32; 3]>,
-    pub(crate) lights: Vec<MixedLight>,
+pub(crate) struct MixedTerms<N> {
+    pub(crate) emission: Rgb<N>,
+    pub(crate) scene_ambient: Rgb<N>,
+    pub(crate) environment: Rgb<N>,
+    pub(crate) environment_diffuse: Option<Rgb<N>>,
+    pub(crate) lights: Vec<MixedLight<N>>,
 }
 
-/// The terms of one light that reach a sample.
-pub(crate) struct MixedLight {
+/// The terms of one light that reach samples.
+pub(crate) struct MixedLight<N> {
     /// The place in the list of lights.
     pub(crate) index: usize,
-    pub(crate) ambient: [f32; 3],
-    pub(crate) diffuse: [f32; 3],
-    pub(crate) specular: [f32; 3],
+    pub(crate) ambient: Rgb<N>,
+    pub(crate) diffuse: Rgb<N>,
+    pub(crate) specular: Rgb<N>,
     /// The mean of the places'.
-    pub(crate) n_dot_l: f32,
+    pub(crate) n_dot_l: N,
     /// V; `None` without shadows.
-    pub(crate) visibility: Option<f32>,
+    pub(crate) visibility: Option<N>,
 }
 
-impl MixedTerms {
-    pub(crate) fn of(places: &[(f32, &PlaceTerms)], texture: [f32; 3]) -> Self {
-        let color = |of: &dyn Fn(&PlaceTerms) -> [f32; 3]| -> [f32; 3] {
-            std::array::from_fn(|channel| {
-                let part = |&(weight, place): &(f32, &PlaceTerms)| {
-                    weight * place.kept(channel) * of(place)[channel] * texture[channel]
-                };
-                places.iter().map(part).sum()
-            })
-        };
-        let first = places.first().map_or(&[][..], |(_, place)| &place.lights);
-        let light = |(number, light): (usize, &LedgerLight)| {
-            let terms = |place: &PlaceTerms| place.lights[number].terms;
-            MixedLight {
-                index: light.index,
-                ambient: color(&|place| terms(place).ambient.lane(0)),
-                diffuse: color(&|place| terms(place).diffuse.lane(0)),
-                specular: color(&|place| terms(place).specular.lane(0)),
-                n_dot_l: places.iter().map(|(weight, place)| weight * terms(place).n_dot_l).sum(),
-                visibility: None,
+impl<N: Lanes> MixedTerms<N> {
+    /// Of places with their weights at each lane's sample.
+    #[inline(always)]
+    pub(crate) fn of(places: &[(N, &PlaceTerms)], texture: Rgb<N>) -> Self {
+        let mut lights = Vec::new();
+        for (at, light) in
+            places.first().map_or(&[][..], |(_, place)| &place.lights).iter().enumerate()
+        {
+            let mut n_dot_l = texture.r.zero();
+            for (weight, place) in places {
+                n_dot_l = n_dot_l + *weight * n_dot_l.constant(place.lights[at].terms.n_dot_l);
             }
-        };
+            lights.push(MixedLight {
+                index: light.index,
+                ambient: mixed(places, texture, |place| place.lights[at].terms.ambient.lane(0)),
+                diffuse: mixed(places, texture, |place| place.lights[at].terms.diffuse.lane(0)),
+                specular: mixed(places, texture, |place| place.lights[at].terms.specular.lane(0)),
+                n_dot_l,
+                visibility: None,
+            });
+        }
+        let mut environment_diffuse = None;
+        if places.first().is_some_and(|(_, place)| place.environment_diffuse.is_some()) {
+            let of = |place: &PlaceTerms| place.environment_diffuse.unwrap_or_default();
+            environment_diffuse = Some(mixed(places, texture, of));
+        }
         Self {
-            emission: color(&|place| place.emission),
-            scene_ambient: color(&|place| place.scene_ambient),
-            environment: color(&|place| place.environment),
-            environment_diffuse: places
-                .first()
-                .and_then(|(_, place)| place.environment_diffuse)
-                .map(|_| color(&|place| place.environment_diffuse.unwrap_or_default())),
-            lights: first.iter().enumerate().map(light).collect(),
+            emission: mixed(places, texture, |place| place.emission),
+            scene_ambient: mixed(places, texture, |place| place.scene_ambient),
+            environment: mixed(places, texture, |place| place.environment),
+            environment_diffuse,
+            lights,
         }
     }
 
     /// The same where light is kept away from a sample: each light's terms times its V, what comes from
     /// all around times the openness.
+    #[inline(always)]
     pub(crate) fn visible(mut self, scene: &ShadingContext<'_>, visible: &VisibleLights) -> Self {
-        let around = |light: [f32; 3]| light.map(|channel| channel * visible.openness);
-        self.scene_ambient = around(self.scene_ambient);
-        self.environment = around(self.environment);
-        self.environment_diffuse = self.environment_diffuse.map(around);
+        let simd = self.emission.r;
+        let openness = simd.constant(visible.openness);
+        self.scene_ambient = self.scene_ambient * openness;
+        self.environment = self.environment * openness;
+        self.environment_diffuse = self.environment_diffuse.map(|light| light * openness);
         let has_shadows = scene.shadows.is_some_and(|shadows| !shadows.sources.is_empty());
         for light in &mut self.lights {
-            let visibility = visible.visibility[light.index].unwrap_or(1.0);
+            let visibility = simd.constant(visible.visibility[light.index].unwrap_or(1.0));
             light.visibility = has_shadows.then_some(visibility);
-            light.ambient = light.ambient.map(|channel| channel * (visibility * visible.openness));
-            light.diffuse = light.diffuse.map(|channel| channel * visibility);
-            light.specular = light.specular.map(|channel| channel * visibility);
+            light.ambient = light.ambient * (visibility * openness);
+            light.diffuse = light.diffuse * visibility;
+            light.specular = light.specular * visibility;
         }
         self
     }
+}
+
+/// A term of all places.
+#[inline(always)]
+fn mixed<N: Lanes>(
+    places: &[(N, &PlaceTerms)],
+    texture: Rgb<N>,
+    of: impl Fn(&PlaceTerms) -> [f32; 3],
+) -> Rgb<N> {
+    let mut sum = Rgb::black(texture.r);
+    for (weight, place) in places {
+        let kept = Rgb::splat(*weight, place.kept);
+        sum = sum + kept * *weight * Rgb::splat(*weight, of(place)) * texture;
+    }
+    sum
 }

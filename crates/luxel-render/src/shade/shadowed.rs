@@ -72,7 +72,7 @@ impl VisibleLights {
             return None;
         }
         let mut sum = [0.0; 3];
-        for (weight, terms) in triangle.terms(scene, places, texel) {
+        for (place, terms) in places.iter().zip(triangle.terms(scene, places, texel)) {
             for channel in 0..3 {
                 let of_light = |terms: &LightTerms<f32>| {
                     let LightTerms { ambient, diffuse, specular, .. } = terms;
@@ -85,7 +85,7 @@ impl VisibleLights {
                 for entry in &terms.lights {
                     arriving += visibility(entry.index) * of_light(&entry.terms);
                 }
-                sum[channel] += weight * terms.kept(channel) * arriving;
+                sum[channel] += place.weight * terms.kept[channel] * arriving;
             }
         }
         Some(sum)
