@@ -54,13 +54,13 @@ pub(super) fn terms_elsewhere<N: Lanes>(
                 };
                 let terms = triangle.terms(scene, &places, witness.tint.lane(lane));
                 let weighted: Vec<_> = weights.zip(terms).collect();
-                let terms = MixedTerms::of(&weighted, texture);
-                match visible {
-                    Some(visible) => {
-                        witness.put_terms(lanes, &terms.visible(scene, &visible), visible.openness);
-                    }
-                    None => witness.put_terms(lanes, &terms, 1.0),
+                let mut terms = MixedTerms::of(&weighted, texture);
+                let mut openness = 1.0;
+                if let Some(visible) = visible {
+                    terms = terms.visible(scene, &visible);
+                    openness = visible.openness;
                 }
+                witness.put_terms(lanes, &terms, openness);
             }
         },
     );

@@ -236,7 +236,8 @@ impl<L: PlaceLight> Builder<'_, L> {
         if let Some(&known) = self.known.get(&key) {
             return known;
         }
-        let light = light.unwrap_or_else(|| self.asked.light.light(place, 1));
+        let Asked { light: places, comparison, .. } = &self.asked;
+        let light = light.unwrap_or_else(|| self.tries.light_alone(place, *places, comparison));
         let number = self.pieces.places.len() as u32;
         self.pieces.places.push((place, light));
         self.windows.push((self.asked.window)(place));

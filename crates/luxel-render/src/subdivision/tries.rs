@@ -58,6 +58,19 @@ impl Tries {
         (self.corners, self.count) = (corners, 0);
     }
 
+    /// The light of one place. What was there before is forgotten.
+    pub(super) fn light_alone(
+        &mut self,
+        place: Place,
+        light: &impl PlaceLight,
+        how: &Comparison<'_>,
+    ) -> TexelLight {
+        self.begin([TexelLight::untextured([0.0; 3]); 3]);
+        self.push([1.0, 0.0, 0.0], place);
+        self.compare(light, how);
+        self.light(0)
+    }
+
     /// How many places there are.
     pub(super) fn count(&self) -> usize {
         self.count
