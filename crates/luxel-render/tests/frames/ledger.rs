@@ -4,7 +4,7 @@ use crate::scenes::{execution, fitted, glass, matte, scene};
 use luxel_lighting::{
     Attenuation, Cone, Fog, FogLaw, Light, LightKind, REFLECTION_MODELS, Reflection, Tone,
 };
-use luxel_math::SimdLevel;
+use luxel_math::{Rgb, SimdLevel};
 use luxel_render::{
     At, Background, Clamp, Interpolation, Layer, LayerValues, NormalLength, RenderError, Renderer,
     Shading, ShadingMode, View,
@@ -388,6 +388,44 @@ fn the_layers_of_terms_add_up_to_the_picture() {
             }
         }
     }
+}
+
+#[test]
+fn layers_of_light_from_elsewhere_than_pixels_are_sums_of_the_ledgers_terms() {
+    let layers = [Layer::Diffuse, Layer::Specular, Layer::Light("lamp".to_owned())];
+    let mut compared = 0;
+    for name in ["plane", "cornell", "spheres"] {
+        let scene = demos::demo(name).unwrap();
+        let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
+        // Every mode but light at pixels, and in shadow.
+        for (round, in_shadow) in [1, 2, 3, 4, 6, 7].map(|round| (round, round < 3)) {
+            let view = styled(&scene, round, 1).with_lights(many_lights(&scene)).with_fog(None);
+            let view = occluded(view, in_shadow);
+            let values = renderer.layers(&view, &layers).unwrap();
+            let pixels: Vec<_> = (0..6300).step_by(23).map(|at| [at % 90, at / 90]).collect();
+            for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
+                let [x, y] = explained.pixel;
+                let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
+                let mut sums = [Rgb::splat(0.0, [0.0; 3]); 3];
+                for (number, light) in surface.lights.iter().enumerate() {
+                    let terms = &light.terms;
+                    sums = [sums[0] + terms.diffuse, sums[1] + terms.specular, sums[2]];
+                    if number == 1 {
+                        sums[2] = terms.ambient + terms.diffuse + terms.specular;
+                    }
+                }
+                for (layer, sum) in values.iter().zip(sums) {
+                    let LayerValues::F32(values) = layer else {
+                        panic!("light is no whole number")
+                    };
+                    let at = 3 * (y * 90 + x) as usize;
+                    assert_eq!(values[at..at + 3], sum.lane(0), "{name}, round {round}: {x}, {y}");
+                }
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 1000, "{compared}");
 }
 
 #[test]
