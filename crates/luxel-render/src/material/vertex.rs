@@ -52,15 +52,15 @@ fn lights_under<N: Lanes, W: SurfaceWitness<N>>(
     reflected(&point, &coefficients, reflection, lighting, Occlusion::NONE, witness)
 }
 
-/// The places of a triangle as pieces of it light them.
-pub(crate) struct LitPlaces<'a> {
+/// The light of a triangle between its corners, as its pieces interpolate it.
+pub(crate) struct TriangleLight<'a> {
     pub(crate) scene: &'a ShadingContext<'a>,
     pub(crate) corners: &'a [Corner; 3],
     pub(crate) has: AttributeMask,
     pub(crate) material: u32,
 }
 
-impl LitPlaces<'_> {
+impl TriangleLight<'_> {
     /// Whether the light is that under any texel.
     fn is_textured(&self) -> bool {
         self.scene.lit_at(self.material as usize) == LitAt::PiecesUnderTexels
@@ -72,7 +72,7 @@ impl LitPlaces<'_> {
     }
 }
 
-impl PlaceLight for LitPlaces<'_> {
+impl PlaceLight for TriangleLight<'_> {
     #[inline(always)]
     fn light<N: Lanes>(&self, place: [N; 3], lanes: u32) -> TexelLight<N> {
         let Self { scene, corners, has, material } = *self;

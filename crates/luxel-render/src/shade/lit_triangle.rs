@@ -5,7 +5,7 @@ use super::place_terms::{LitPlace, PlaceTerms};
 use super::screen_interpolation::{InWindow, Outline};
 use super::whole_place::WholePlaces;
 use crate::context::{AttributeMask, LitAt, ShadingContext};
-use crate::material::{Attributes, Corner, LitPlaces, light_at};
+use crate::material::{Attributes, Corner, TriangleLight, light_at};
 use crate::setup::PlacedCorners;
 use crate::subdivision::{Asked, Comparison, Pieces, mixed};
 use glam::DVec3;
@@ -163,7 +163,7 @@ impl LitTriangle {
                 let space = scene.space(self.of.instance);
                 let corners = &self.corners;
                 let Size { width, height } = scene.frame.size();
-                let light = LitPlaces { scene, corners, has, material };
+                let light = TriangleLight { scene, corners, has, material };
                 let asked = Asked {
                     tolerance,
                     light: &light,

@@ -188,11 +188,8 @@ impl Pieces {
     /// The interpolated light at a place, under a texel.
     pub(crate) fn light(&self, place: Place, texel: [f32; 3]) -> [f32; 3] {
         let (corners, weights) = self.find(place);
-        self.between(corners, weights).at(texel)
-    }
-
-    fn between(&self, corners: [u32; 3], weights: [f32; 3]) -> TexelLight {
-        TexelLight::mixed(corners.map(|corner| &self.places[corner as usize].1), weights)
+        let corners = corners.map(|corner| &self.places[corner as usize].1);
+        TexelLight::mixed(corners, weights).at(texel)
     }
 
     fn find(&self, place: Place) -> ([u32; 3], [f32; 3]) {
