@@ -66,7 +66,7 @@ impl PickView<'_> {
             FrameInstance {
                 mesh: &visible.mesh,
                 clusters: &visible.clusters,
-                view_from_local: &instance.space.view_from_local,
+                view_from_local: &self.placed.space(visible.instance).view_from_local,
                 parts: Arc::clone(&instance.parts),
                 ranks: &visible.ranks,
                 is_repeated: false,

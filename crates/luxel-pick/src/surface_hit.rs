@@ -132,7 +132,7 @@ impl PickView<'_> {
     }
 
     pub(crate) fn forms(&self, covering: &CoveringTriangle) -> Forms {
-        let space = &self.placed.instances()[covering.instance].space;
+        let space = self.placed.space(covering.instance);
         Forms::new(&self.rays, space.view_from_local.corners(covering.corners))
     }
 
@@ -149,7 +149,7 @@ impl PickView<'_> {
         tile: [i32; 2],
     ) -> TriangleSurface<'_> {
         let &CoveringTriangle { instance, triangle, .. } = covering;
-        let space = &self.placed.instances()[instance].space;
+        let space = self.placed.space(instance);
         let geometry = self.geometry(instance);
         let mesh = geometry.mesh;
         let attributes = mesh.attribute_corners()[triangle as usize].map(|at| at as usize);
@@ -160,9 +160,9 @@ impl PickView<'_> {
         let [second, third] = sides(&corners);
         let first = space.about_eye(corners[0]);
         let normals = space.facing_normals([second, third], forms.towards_eye(), in_mesh);
-        let [a, b, c] = in_view.map(|corner| space.view.world_from_view * corner);
+        let [a, b, c] = in_view.map(|corner| space.view().world_from_view * corner);
         let plane = (b - a).cross(c - a).normalize_or_zero();
-        let to_eye = if space.view.parallel { space.view.world_from_view.z_axis } else { -a };
+        let to_eye = if space.view().parallel { space.view().world_from_view.z_axis } else { -a };
         let plane = if plane.dot(to_eye) < 0.0 { -plane } else { plane };
         let (object, element) = self.element_of(instance, triangle);
         TriangleSurface {

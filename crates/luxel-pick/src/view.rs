@@ -140,11 +140,11 @@ impl<'p> PickView<'p> {
             None => {
                 let tree = self.picker.tree(instance.objects.start);
                 let world_from_view = self.camera().view_from_world.inverse();
-                (*tree.tree_from_world * world_from_view, tree.of_mesh)
+                (tree.tree_from_world * world_from_view, tree.of_mesh)
             }
         };
         let projection = &self.camera().projection;
-        let probe = Probe::new(projection, self.size(), &instance.space.view_from_local);
+        let probe = Probe::new(projection, self.size(), &self.placed.space(number).view_from_local);
         let largest = |bounds: [[f32; 3]; 2]| -> [f32; 3] {
             std::array::from_fn(|axis| bounds[0][axis].abs().max(bounds[1][axis].abs()))
         };
@@ -211,7 +211,7 @@ impl<'p> PickView<'p> {
     pub(crate) fn geometry(&self, number: usize) -> Geometry<'_> {
         let instance = &self.placed.instances()[number];
         let bvh = match instance.strokes {
-            Some(strokes) => &self.bvhs_of_strokes[strokes],
+            Some(strokes) => &self.bvhs_of_strokes[strokes as usize],
             None => self.picker.tree(instance.objects.start).bvh,
         };
         Geometry { mesh: self.placed.mesh(instance), bvh }
@@ -220,7 +220,7 @@ impl<'p> PickView<'p> {
     /// The point or line that a triangle of an instance of strokes is part of.
     pub(crate) fn element(&self, number: usize, triangle: u32) -> u32 {
         let strokes = self.placed.instances()[number].strokes.unwrap_or_default();
-        self.placed.strokes()[strokes].elements[triangle as usize / 2]
+        self.placed.strokes()[strokes as usize].elements[triangle as usize / 2]
     }
 
     /// The instances that may cover a pixel, in order.

@@ -4,7 +4,7 @@ use crate::world_ray::centre_and_radius;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality, TooManyForTree};
 use luxel_parallel::{fill, map};
-use luxel_scene::{Mesh, Object, Scene, is_same_matrix};
+use luxel_scene::{Mesh, Object, Scene, SharedAxes, is_same_matrix};
 use std::sync::Arc;
 
 /// The tree of a body, with its transforms.
@@ -12,7 +12,7 @@ pub(crate) struct PlacedTree {
     pub(crate) mesh: usize,
     /// The object's own matrix, where the mesh's coordinates are about 0.
     pub(crate) world_from_tree: Arc<DMat4>,
-    pub(crate) tree_from_world: DMat4,
+    pub(crate) tree_from_world: SharedAxes,
     /// A tree in world coordinates, if the body's transform is singular or too anisotropic for rays to
     /// be transformed.
     pub(crate) baked: Option<Box<BakedTree>>,
@@ -20,7 +20,9 @@ pub(crate) struct PlacedTree {
 
 pub(crate) struct BakedTree {
     pub(crate) bvh: Bvh,
+    /// About `middle`, along the world's axes.
     pub(crate) positions: Vec<[f32; 3]>,
+    middle: DVec3,
     pub(crate) sphere: Option<Sphere>,
 }
 
@@ -41,7 +43,7 @@ pub struct BodyTree<'p> {
     /// From the tree's coordinates to the world's.
     pub world_from_tree: &'p DMat4,
     /// From the world's coordinates to the tree's.
-    pub tree_from_world: &'p DMat4,
+    pub tree_from_world: DMat4,
     /// Whether the tree's positions are the mesh's own.
     pub of_mesh: bool,
 }
@@ -85,20 +87,37 @@ impl PlacedTrees {
     /// The trees of the objects, which stand for bodies, built on all threads of the current pool.
     pub(crate) fn new<'o>(
         scene: &Scene,
-        bodies: impl Iterator<Item = &'o Object>,
+        bodies: impl ExactSizeIterator<Item = &'o Object>,
         quality: Quality,
     ) -> Result<Self, TooManyForTree> {
-        let mut apart: Vec<&Object> = Vec::new();
-        let mut of_bodies = Vec::new();
+        // A list that grows leaves holes of half its size behind.
+        let mut trees = Vec::with_capacity(bodies.len());
+        let mut of_bodies = Vec::with_capacity(bodies.len());
+        let mut last: Option<&Object> = None;
+        // The places of those that need a tree in world coordinates.
+        let mut baked: Vec<usize> = Vec::new();
         for object in bodies {
-            if !apart.last().is_some_and(|last| object.repeats(last)) {
-                apart.push(object);
+            if !last.is_some_and(|last| object.repeats(last)) {
+                let mesh = object.mesh.index();
+                let placement = Placement::of(&scene.meshes[mesh], object);
+                if placement.is_baked() {
+                    baked.push(trees.len());
+                }
+                let tree = PlacedTree::new(mesh, placement, trees.last());
+                trees.push(tree);
             }
-            of_bodies.push(apart.len() as u32 - 1);
+            last = Some(object);
+            of_bodies.push(trees.len() as u32 - 1);
         }
-        let trees =
-            map(apart.len(), 1, &|run| Some(PlacedTree::new(scene, apart[run.start], quality)));
-        Ok(Self { trees: all(trees)?, of_bodies })
+        trees.shrink_to_fit();
+        let built = map(baked.len(), 1, &|run| {
+            let PlacedTree { mesh, world_from_tree, .. } = &trees[baked[run.start]];
+            Some(BakedTree::new(&scene.meshes[*mesh], world_from_tree, quality))
+        });
+        for (place, built) in baked.into_iter().zip(all(built)?) {
+            trees[place].bake(built);
+        }
+        Ok(Self { trees, of_bodies })
     }
 
     /// The tree of a body.
@@ -125,24 +144,27 @@ pub(crate) fn all<T>(
 }
 
 impl PlacedTree {
-    pub(crate) fn new(
-        scene: &Scene,
-        object: &Object,
-        quality: Quality,
-    ) -> Result<Self, TooManyForTree> {
-        let mesh = &scene.meshes[object.mesh.index()];
-        let placement = Placement::of(mesh, object);
-        let of = |world_from_tree, tree_from_world, baked| Self {
-            mesh: object.mesh.index(),
-            world_from_tree,
-            tree_from_world,
-            baked,
-        };
-        let is_baked = placement.is_baked();
+    /// A mesh's own tree, after another one.
+    fn new(mesh: usize, placement: Placement, before: Option<&Self>) -> Self {
         let Placement { world_from_tree, tree_from_world } = placement;
-        if !is_baked {
-            return Ok(of(world_from_tree, tree_from_world, None));
-        }
+        let tree_from_world = SharedAxes::new(&tree_from_world);
+        let tree_from_world = match before {
+            Some(before) => tree_from_world.sharing(&before.tree_from_world),
+            None => tree_from_world,
+        };
+        Self { mesh, world_from_tree, tree_from_world, baked: None }
+    }
+
+    /// Takes a tree in world coordinates instead.
+    fn bake(&mut self, tree: BakedTree) {
+        self.world_from_tree = Arc::new(DMat4::from_translation(tree.middle));
+        self.tree_from_world = SharedAxes::new(&DMat4::from_translation(-tree.middle));
+        self.baked = Some(Box::new(tree));
+    }
+}
+
+impl BakedTree {
+    fn new(mesh: &Mesh, world_from_tree: &DMat4, quality: Quality) -> Result<Self, TooManyForTree> {
         let middle = world_from_tree.w_axis.truncate();
         let middle = if middle.is_finite() { middle } else { DVec3::ZERO };
         let mut positions = vec![[0.0; 3]; mesh.positions.len()];
@@ -155,9 +177,7 @@ impl PlacedTree {
         });
         let bvh = Bvh::build(&positions, &mesh.triangles, quality)?;
         let sphere = sphere_around(&bvh);
-        let shift = Arc::new(DMat4::from_translation(middle));
-        let back = DMat4::from_translation(-middle);
-        Ok(of(shift, back, Some(Box::new(BakedTree { bvh, positions, sphere }))))
+        Ok(Self { bvh, positions, middle, sphere })
     }
 }
 

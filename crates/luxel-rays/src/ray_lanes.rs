@@ -85,7 +85,7 @@ impl RayLanes {
         let origin = [wide.load(x), wide.load(y), wide.load(z)];
         let [x, y, z] = &self.direction;
         let direction = [wide.load(x), wide.load(y), wide.load(z)];
-        let DMat4 { x_axis, y_axis, z_axis, w_axis } = *tree.tree_from_world;
+        let DMat4 { x_axis, y_axis, z_axis, w_axis } = tree.tree_from_world;
         let axes = [x_axis, y_axis, z_axis].map(DVec4::truncate);
         let [x, y, z] = turned(origin, axes);
         let origin =

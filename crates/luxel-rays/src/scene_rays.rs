@@ -309,7 +309,7 @@ impl SceneRays {
             bvh,
             positions,
             world_from_tree: &placed.world_from_tree,
-            tree_from_world: &placed.tree_from_world,
+            tree_from_world: placed.tree_from_world.matrix(),
             of_mesh: placed.baked.is_none(),
         }
     }

@@ -112,7 +112,7 @@ impl ShadingContext<'_> {
     /// The spaces of an instance's positions and normals.
     #[inline(always)]
     pub(crate) fn space(&self, instance: usize) -> &InstanceSpace {
-        &self.placed.instances()[instance].space
+        self.placed.space(instance)
     }
 
     /// The surface point of a sample at (x, y) in the window, in pixels: N and V at unit length.

@@ -50,23 +50,19 @@ impl CoplanarRanks {
             return ranks;
         }
         let boxes = map(scene.meshes.len(), 1, &|run| box_of(&scene.meshes[run.start]));
-        let of_body = |body: Range<usize>| {
-            let box_of_mesh = boxes[objects[body.start].mesh.index()];
-            Body::new((scene, objects), body, box_of_mesh)
+        let shown = || bodies(objects).filter(|body| !is_repeated(scene, objects, body));
+        let bounds_of_object = |object: usize| {
+            let Object { mesh, world_from_mesh, .. } = &objects[object];
+            bounds_of(&boxes[mesh.index()], world_from_mesh)
         };
-        let shown = bodies(objects).filter(|body| !is_repeated(scene, objects, body));
-        let mut bodies: Vec<Body<'_>> = shown.map(of_body).collect();
-        let around = bodies
-            .iter()
-            .map(|body| body.bounds)
+        let around = shown()
+            .map(|body| bounds_of_object(body.start))
             .reduce(|[low, high], other| [low.min(other[0]), high.max(other[1])]);
         let [low, high] = around.unwrap_or_default();
         let middle = (low + high) * 0.5;
-        for body in &mut bodies {
-            body.middle = middle;
-            body.bounds = body.bounds.map(|corner| corner - middle);
-        }
-        let shared = shared_boxes(&bodies);
+        let mut bodies = Vec::with_capacity(shown().count());
+        bodies.extend(shown().map(|body| Body::new((scene, objects), body, &middle)));
+        let shared = shared_boxes(&bodies, &bounds_of_object);
         for (body, shared) in bodies.iter_mut().zip(shared) {
             body.shared = shared;
         }
@@ -85,7 +81,7 @@ impl CoplanarRanks {
                 list.extend((triangle..triangle + count).map(|triangle| (triangle, rank)));
             }
             list.sort_unstable();
-            let first = bodies[body_of(&own[0]) as usize].objects.start;
+            let first = bodies[body_of(&own[0]) as usize].first as usize;
             ranks.add(scene, objects, first, &list.into());
         }
         ranks
@@ -134,15 +130,13 @@ fn is_repeated(scene: &Scene, objects: &[Object], body: &Range<usize>) -> bool {
 
 /// Objects that are drawn as one, in their place.
 struct Body<'a> {
-    objects: Range<usize>,
+    /// The first object, and how many there are.
+    first: u32,
+    count: u32,
     mesh: &'a Mesh,
-    world_from_mesh: &'a Arc<DMat4>,
+    world_from_mesh: &'a DMat4,
     /// The middle of the scene, which planes are about.
-    middle: DVec3,
-    /// The largest factor by which its place scales.
-    scale: f64,
-    /// Its box about that middle.
-    bounds: [DVec3; 2],
+    middle: &'a DVec3,
     shared: Shared,
 }
 
@@ -150,11 +144,13 @@ struct Body<'a> {
 enum Shared {
     Everywhere,
     /// In these boxes.
-    Within(Vec<[DVec3; 2]>),
+    Within(Box<[[DVec3; 2]]>),
 }
 
 impl Shared {
-    const NOWHERE: Self = Self::Within(Vec::new());
+    fn nowhere() -> Self {
+        Self::Within([].into())
+    }
 
     fn is_nowhere(&self) -> bool {
         matches!(self, Self::Within(boxes) if boxes.is_empty())
@@ -185,25 +181,23 @@ impl<'a> Body<'a> {
     fn new(
         (scene, objects): (&'a Scene, &'a [Object]),
         body: Range<usize>,
-        box_of_mesh: [DVec3; 2],
+        middle: &'a DVec3,
     ) -> Self {
         let Object { mesh, world_from_mesh, .. } = &objects[body.start];
-        let DMat4 { x_axis, y_axis, z_axis, .. } = **world_from_mesh;
-        let scale = [x_axis, y_axis, z_axis].map(DVec4::length).into_iter().fold(0.0, f64::max);
-        // Around the box of the mesh, which isn't the least box but quickly found.
-        let [centre, half] = box_of_mesh;
-        let sides = [x_axis, y_axis, z_axis].map(|axis| axis.truncate().abs());
-        let half = sides[0] * half.x + sides[1] * half.y + sides[2] * half.z;
-        let centre = world_from_mesh.transform_point3(centre);
         Self {
-            objects: body,
+            first: body.start as u32,
+            count: body.len() as u32,
             mesh: &scene.meshes[mesh.index()],
             world_from_mesh,
-            middle: DVec3::ZERO,
-            scale,
-            bounds: [centre - half, centre + half],
-            shared: Shared::NOWHERE,
+            middle,
+            shared: Shared::nowhere(),
         }
+    }
+
+    /// The largest factor by which its place scales.
+    fn scale(&self) -> f64 {
+        let DMat4 { x_axis, y_axis, z_axis, .. } = *self.world_from_mesh;
+        [x_axis, y_axis, z_axis].map(DVec4::length).into_iter().fold(0.0, f64::max)
     }
 
     /// The corners of a triangle about the middle of the scene.
@@ -211,7 +205,7 @@ impl<'a> Body<'a> {
     fn corners(&self, triangle: u32) -> [DVec3; 3] {
         let [a, b, c] = self.mesh.triangles[triangle as usize];
         let place = |corner: u32| {
-            self.world_from_mesh.transform_point3(self.mesh.position(corner)) - self.middle
+            self.world_from_mesh.transform_point3(self.mesh.position(corner)) - *self.middle
         };
         [place(a), place(b), place(c)]
     }
@@ -235,7 +229,7 @@ impl<'a> Body<'a> {
             .map(|corner| self.mesh.position(corner).abs().max_element());
         let largest = largest.into_iter().fold(0.0, f64::max);
         let moved = self.world_from_mesh.w_axis.truncate().abs().max_element();
-        let error = ROUNDING * (largest * self.scale + moved);
+        let error = ROUNDING * (largest * self.scale() + moved);
         // Across its longest side it is area / longest high.
         let tilt = 2.0 * error * longest / area;
         let normal = normal / area;
@@ -245,12 +239,17 @@ impl<'a> Body<'a> {
     /// The number of the object that a triangle belongs to.
     fn object(&self, triangle: u32) -> u32 {
         let (section, _) = self.mesh.section_of(triangle);
-        if self.mesh.sections.is_empty() {
-            self.objects.start as u32
-        } else {
-            self.objects.start as u32 + section
-        }
+        if self.mesh.sections.is_empty() { self.first } else { self.first + section }
     }
+}
+
+/// A box around the box of a mesh, in the world: not the least one, but quickly found.
+fn bounds_of([centre, half]: &[DVec3; 2], world_from_mesh: &DMat4) -> [DVec3; 2] {
+    let DMat4 { x_axis, y_axis, z_axis, .. } = *world_from_mesh;
+    let [x, y, z] = [x_axis, y_axis, z_axis].map(|axis| axis.truncate().abs());
+    let half = x * half.x + y * half.y + z * half.z;
+    let centre = world_from_mesh.transform_point3(*centre);
+    [centre - half, centre + half]
 }
 
 /// The middle of a mesh's box, and half of its sides.
@@ -267,33 +266,37 @@ fn box_of(mesh: &Mesh) -> [DVec3; 2] {
 }
 
 /// Where each body may meet others: everywhere if objects within it may meet.
-fn shared_boxes(bodies: &[Body<'_>]) -> Vec<Shared> {
+fn shared_boxes(
+    bodies: &[Body<'_>],
+    bounds_of_object: &dyn Fn(usize) -> [DVec3; 2],
+) -> Vec<Shared> {
     // With room for rounding, as for a part of the coordinates here.
     let grown = |body: &Body<'_>| {
-        let [low, high] = body.bounds;
+        let [low, high] = bounds_of_object(body.first as usize).map(|corner| corner - *body.middle);
         let largest = (low.abs().max(high.abs()) + body.middle.abs()).max_element();
         let margin = 8.0 * ROUNDING * largest;
         [low - margin, high + margin]
     };
-    let boxes: Vec<[DVec3; 2]> = bodies.iter().map(grown).collect();
     let triangles: usize = bodies.iter().map(|body| body.mesh.triangles.len()).sum();
     // To compare two boxes takes less than a tenth of what looking at a triangle does.
     let compares = bodies.len() * bodies.len() <= 10 * triangles;
-    let of_body = |number: usize| {
-        let own = boxes[number];
+    let compared: Vec<[DVec3; 2]> =
+        if compares { bodies.iter().map(grown).collect() } else { Vec::new() };
+    let of_body = |(number, body): (usize, &Body<'_>)| {
+        let own = grown(body);
         if !own[0].is_finite() || !own[1].is_finite() {
-            return Shared::NOWHERE;
+            return Shared::nowhere();
         }
-        if !compares || bodies[number].objects.len() > 1 {
+        if !compares || body.count > 1 {
             return Shared::Everywhere;
         }
-        let others = (0..boxes.len()).filter(|other| *other != number);
-        let shared = others.map(|other| &boxes[other]).filter(|other| meet(&own, other));
+        let others = (0..compared.len()).filter(|other| *other != number);
+        let shared = others.map(|other| &compared[other]).filter(|other| meet(&own, other));
         let shared: Vec<_> =
             shared.map(|other| [own[0].max(other[0]), own[1].min(other[1])]).collect();
-        if shared.len() > MOST_SHARED { Shared::Everywhere } else { Shared::Within(shared) }
+        if shared.len() > MOST_SHARED { Shared::Everywhere } else { Shared::Within(shared.into()) }
     };
-    (0..bodies.len()).map(of_body).collect()
+    bodies.iter().enumerate().map(of_body).collect()
 }
 
 /// A body with more of these boxes is taken to meet others everywhere.
@@ -328,15 +331,14 @@ impl Candidate {
 }
 
 /// Triangles of a body.
-struct Piece<'b, 'a> {
-    number: u32,
-    body: &'b Body<'a>,
+struct Piece {
+    body: u32,
     triangles: Range<u32>,
 }
 
 /// The triangles of bodies, divided among tasks.
-fn tasks<'b, 'a>(bodies: &'b [Body<'a>]) -> Vec<Vec<Piece<'b, 'a>>> {
-    let mut tasks: Vec<Vec<Piece<'_, '_>>> = Vec::new();
+fn tasks(bodies: &[Body<'_>]) -> Vec<Vec<Piece>> {
+    let mut tasks: Vec<Vec<Piece>> = Vec::new();
     let mut room = 0;
     for (number, body) in (0..).zip(bodies) {
         if body.shared.is_nowhere() {
@@ -346,7 +348,7 @@ fn tasks<'b, 'a>(bodies: &'b [Body<'a>]) -> Vec<Vec<Piece<'b, 'a>>> {
         for first in (0..count).step_by(RUN) {
             let triangles = first..count.min(first + RUN as u32);
             let length = triangles.len();
-            let piece = Piece { number, body, triangles };
+            let piece = Piece { body: number, triangles };
             match tasks.last_mut() {
                 Some(task) if length <= room => task.push(piece),
                 _ => {
@@ -365,7 +367,8 @@ fn candidates(bodies: &[Body<'_>], voxels: &Voxels) -> Vec<Candidate> {
     let tasks = tasks(bodies);
     let owners = Owners::new(voxels.count());
     luxel_parallel::tasks(tasks.len(), &|task| {
-        for Piece { body, triangles, .. } in &tasks[task] {
+        for Piece { body, triangles } in &tasks[task] {
+            let body = &bodies[*body as usize];
             for triangle in triangles.clone() {
                 if let Some(bounds) = body.shared_bounds(&body.corners(triangle)) {
                     let object = body.object(triangle);
@@ -375,7 +378,8 @@ fn candidates(bodies: &[Body<'_>], voxels: &Voxels) -> Vec<Candidate> {
         }
     });
     gather(tasks.len(), 1, &|run, found| {
-        for Piece { number, body, triangles } in &tasks[run.start] {
+        for Piece { body: number, triangles } in &tasks[run.start] {
+            let body = &bodies[*number as usize];
             let mut last: Option<[DVec3; 3]> = None;
             for triangle in triangles.clone() {
                 let corners = body.corners(triangle);

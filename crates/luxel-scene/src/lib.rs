@@ -28,6 +28,7 @@ pub mod primitives;
 mod restyle;
 mod scene;
 mod sections;
+mod shared_axes;
 mod soundness;
 mod tangents;
 pub mod texture;
@@ -52,6 +53,7 @@ pub use opacity::{OpacityCorners, OpacityLanes};
 pub use restyle::Restyle;
 pub use scene::{Object, Scene, bodies, is_same_matrix};
 pub use sections::{Joiner, SectionRange};
+pub use shared_axes::SharedAxes;
 /// A name of a node or a material, in 24 bytes: up to 23 letters of ASCII take no memory of their own.
 pub use smol_str::SmolStr as Name;
 pub use soundness::{ScenePart, UnsoundScene};

@@ -207,7 +207,7 @@ impl<'a> Frame<'a> {
             .chain(of_clusters)
             .filter_map(|id| {
                 let cluster = self.cluster(id);
-                let probe = Probe::of(*self.instances.window_from_local(cluster.instance()));
+                let probe = Probe::of(self.instances.window_from_local(cluster.instance()));
                 let cull = self.instances.part_use(id.cluster()).cull;
                 let depth = probe.covers(cluster.positions(id), cull, position)?;
                 let is_hole = holes.holes(&Asked::one(id, position)) != 0;

@@ -75,27 +75,11 @@ pub struct PlacedInstance {
     /// The objects, by their places in [`Scene::objects`].
     pub objects: Range<usize>,
     /// The place in [`PlacedScene::strokes`] of the points and lines that it is; `None` for triangles.
-    pub strokes: Option<usize>,
+    pub strokes: Option<u32>,
     /// How each part of the mesh is drawn.
     pub parts: Arc<[PartUse]>,
-    /// The spaces of positions and normals. Instances that follow one another share one, if they are in the same
-    /// place: of files with many small objects without transforms, all do.
-    pub space: Arc<InstanceSpace>,
-}
-
-impl PlacedInstance {
-    /// An instance that shares what is the same as in the one before it.
-    fn shared(mut self, before: Option<&Self>) -> Self {
-        if let Some(before) = before {
-            if before.space == self.space {
-                self.space = Arc::clone(&before.space);
-            }
-            if before.parts == self.parts {
-                self.parts = Arc::clone(&before.parts);
-            }
-        }
-        self
-    }
+    /// The place of its [space](PlacedScene::space) among all.
+    space: u32,
 }
 
 fn view_from_mesh(camera: &Camera, object: &Object) -> DMat4 {
@@ -112,6 +96,9 @@ pub struct PlacedScene<'s> {
     ranks: &'s CoplanarRanks,
     strokes: Vec<Strokes>,
     instances: Vec<PlacedInstance>,
+    /// Instances that follow one another share one, if they are in the same place: of files with many small objects
+    /// without transforms, all do.
+    spaces: Vec<InstanceSpace>,
 }
 
 impl<'s> PlacedScene<'s> {
@@ -127,39 +114,49 @@ impl<'s> PlacedScene<'s> {
     ) -> Self {
         let strokes = strokes(scene, objects, camera, size, rules.point_size);
         let view = Arc::new(ViewSpace::new(camera));
-        let faces = bodies(objects).map(|body| {
+        let mut instances: Vec<PlacedInstance> =
+            Vec::with_capacity(bodies(objects).count() + strokes.len());
+        // Lists that grow leave holes of half their size behind.
+        let mut spaces: Vec<InstanceSpace> = Vec::with_capacity(instances.capacity());
+        let mut push = |objects, strokes, parts: Arc<[PartUse]>, space: InstanceSpace| {
+            let before = spaces.last();
+            if before != Some(&space) {
+                let space = match before {
+                    Some(before) => space.sharing(before),
+                    None => space,
+                };
+                spaces.push(space);
+            }
+            let same = instances.last().filter(|before| before.parts == parts);
+            let parts = same.map_or(parts, |before| Arc::clone(&before.parts));
+            instances.push(PlacedInstance {
+                objects,
+                strokes,
+                parts,
+                space: spaces.len() as u32 - 1,
+            });
+        };
+        for body in bodies(objects) {
             let object = &objects[body.start];
             let mesh = &scene.meshes[object.mesh.index()];
             let mirrored = object.world_from_mesh.determinant() < 0.0;
             let part_use = |material: usize| rules.part_use(&scene.materials[material], mirrored);
             let view_from_local = ViewFromLocal::new(&view_from_mesh(camera, object), mesh.origin);
             let space = InstanceSpace::new(&object.world_from_mesh, view_from_local, &view);
-            PlacedInstance {
-                objects: body,
-                strokes: None,
-                parts: mesh.parts.iter().map(|part| part_use(part.material.index())).collect(),
-                space: Arc::new(space),
-            }
-        });
-        let in_view = strokes.iter().enumerate().map(|(number, strokes)| {
+            let parts = mesh.parts.iter().map(|part| part_use(part.material.index())).collect();
+            push(body, None, parts, space);
+        }
+        for (number, strokes) in (0..).zip(&strokes) {
             let mesh = &strokes.mesh;
             let part = PartUse { coverage: rules.coverage.opaque, ..PartUse::default() };
             let view_from_local = ViewFromLocal::new(&DMat4::IDENTITY, mesh.origin);
             let world_from_mesh = &objects[strokes.object].world_from_mesh;
             let space = InstanceSpace::new(world_from_mesh, view_from_local, &view);
-            PlacedInstance {
-                objects: strokes.object..strokes.object + 1,
-                strokes: Some(number),
-                parts: mesh.parts.iter().map(|_| part).collect(),
-                space: Arc::new(space),
-            }
-        });
-        let mut instances: Vec<PlacedInstance> = Vec::new();
-        for instance in faces.chain(in_view) {
-            let instance = instance.shared(instances.last());
-            instances.push(instance);
+            let parts = mesh.parts.iter().map(|_| part).collect();
+            push(strokes.object..strokes.object + 1, Some(number), parts, space);
         }
-        Self { scene, objects, camera: *camera, size, ranks, strokes, instances }
+        spaces.shrink_to_fit();
+        Self { scene, objects, camera: *camera, size, ranks, strokes, instances, spaces }
     }
 
     /// The scene.
@@ -190,6 +187,13 @@ impl<'s> PlacedScene<'s> {
     #[must_use]
     pub fn instances(&self) -> &[PlacedInstance] {
         &self.instances
+    }
+
+    /// The spaces of an instance's positions and normals.
+    #[inline]
+    #[must_use]
+    pub fn space(&self, instance: usize) -> &InstanceSpace {
+        &self.spaces[self.instances[instance].space as usize]
     }
 
     /// Whether an instance repeats the one before it where nothing shows through: it is hidden wherever it
@@ -229,7 +233,7 @@ impl<'s> PlacedScene<'s> {
     #[must_use]
     pub fn mesh(&self, instance: &PlacedInstance) -> &Mesh {
         match instance.strokes {
-            Some(number) => &self.strokes[number].mesh,
+            Some(number) => &self.strokes[number as usize].mesh,
             None => &self.scene.meshes[self.objects[instance.objects.start].mesh.index()],
         }
     }
@@ -278,10 +282,10 @@ impl<'s> PlacedScene<'s> {
         let instances = self.instances.iter().enumerate().map(|(number, instance)| Instance {
             mesh: self.mesh(instance),
             clusters: match instance.strokes {
-                Some(number) => &self.strokes[number].clusters,
+                Some(number) => &self.strokes[number as usize].clusters,
                 None => &clusters[self.objects[instance.objects.start].mesh.index()],
             },
-            view_from_local: &instance.space.view_from_local,
+            view_from_local: &self.space(number).view_from_local,
             parts: Arc::clone(&instance.parts),
             ranks: self.ranks(instance),
             is_repeated: self.is_repeated(number),

@@ -95,7 +95,7 @@ impl Renderer {
                     Some(SurfaceBelow {
                         object,
                         triangle,
-                        position: (scene.space(of.instance).view.world_from_view * in_view + eye)
+                        position: (scene.space(of.instance).view().world_from_view * in_view + eye)
                             .to_array(),
                         z,
                         depth: view.camera.projection.window_depth(z),

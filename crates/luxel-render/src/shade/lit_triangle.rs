@@ -128,7 +128,7 @@ impl LitTriangle {
     ) -> [Corner; 3] {
         debug_assert!(matches!(scene.shading.mode, ShadingMode::Flat | ShadingMode::Gouraud));
         let mut seen = Self::new(scene, TriangleId::NONE, of);
-        let world_from_view = scene.space(of.instance).view.world_from_view;
+        let world_from_view = scene.space(of.instance).view().world_from_view;
         for (corner, place) in seen.corners.iter_mut().zip(places.into_iter().flatten()) {
             corner.position = (world_from_view * place).as_vec3().to_array();
         }
@@ -180,7 +180,7 @@ impl LitTriangle {
                         scene
                             .frame
                             .rays()
-                            .window(space.view.world_from_view.transpose() * about_eye)
+                            .window(space.view().world_from_view.transpose() * about_eye)
                     },
                 };
                 let pieces = scene.subdivided.pieces(self.id, || Pieces::new(asked));
@@ -196,7 +196,7 @@ impl LitTriangle {
                     corner.light = lit(corner);
                 }
             }
-            let parallel = scene.space(self.of.instance).view.parallel;
+            let parallel = scene.space(self.of.instance).view().parallel;
             let rays = scene.frame.rays();
             self.outline = Some(Box::new(Outline::new(rays, scene.near, parallel, scan, &around)));
         }

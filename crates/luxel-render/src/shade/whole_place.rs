@@ -20,15 +20,15 @@ pub(super) struct WholePlaces<'a> {
 impl<'a> WholePlaces<'a> {
     pub(super) fn of(scene: &ShadingContext<'a>, number: usize) -> Self {
         let instance = &scene.placed.instances()[number];
-        let view = &instance.space.view;
+        let space = scene.placed.space(number);
         Self {
             instance: number,
             mesh: scene.placed.mesh(instance),
             polygons: scene.polygons[number],
             view_from_mesh: scene.placed.view_from_mesh(instance),
-            world_from_view: view.world_from_view,
-            normal_from_mesh: instance.space.normal_from_mesh(),
-            is_parallel: view.parallel,
+            world_from_view: space.view().world_from_view,
+            normal_from_mesh: space.normal_from_mesh(),
+            is_parallel: space.view().parallel,
         }
     }
 

@@ -4,6 +4,7 @@
 
 use super::block::Numbers;
 use super::clusters::Clusters;
+use super::window_transforms::WindowTransforms;
 use crate::types::{Coverage, PartUse, SLOT_BITS, TriangleId, ViewFromLocal, WindowTransform};
 use luxel_scene::{Mesh, Projection, Size, rank_of};
 use std::sync::Arc;
@@ -66,7 +67,7 @@ pub struct TooManyTriangles {
 pub(crate) struct Instances<'a> {
     pub(crate) list: Vec<Instance<'a>>,
     /// To the window: one for all instances that follow one another in the same place.
-    transforms: Vec<WindowTransform>,
+    transforms: WindowTransforms,
     transform_of: Vec<u32>,
     /// The number of each instance's first cluster, and after them the number of all.
     pub(crate) first_clusters: Vec<u32>,
@@ -79,7 +80,9 @@ impl<'a> Instances<'a> {
         projection: &Projection,
         size: Size,
     ) -> Result<Self, TooManyTriangles> {
-        let mut first_clusters = vec![0];
+        // Lists that grow leave holes of half their size behind.
+        let mut first_clusters = Vec::with_capacity(list.len() + 1);
+        first_clusters.push(0);
         let mut clusters = 0_u64;
         // The highest number of all stands for nothing.
         let limit = (1 << (u32::BITS - SLOT_BITS)) - 1;
@@ -90,17 +93,18 @@ impl<'a> Instances<'a> {
         if clusters > limit {
             return Err(TooManyTriangles { clusters, limit });
         }
-        let mut transforms = Vec::new();
+        let mut transforms = WindowTransforms::with_capacity(list.len());
         let mut transform_of = Vec::with_capacity(list.len());
         let mut before: Option<&Instance<'_>> = None;
         for instance in &list {
             let view_from_local = instance.view_from_local;
             if before.is_none_or(|before| before.view_from_local != view_from_local) {
-                transforms.push(WindowTransform::new(projection, size, view_from_local.matrix()));
+                transforms.push(WindowTransform::new(projection, size, &view_from_local.matrix()));
             }
             transform_of.push(transforms.len() as u32 - 1);
             before = Some(instance);
         }
+        transforms.shrink_to_fit();
         Ok(Self { list, transforms, transform_of, first_clusters })
     }
 
@@ -112,8 +116,8 @@ impl<'a> Instances<'a> {
 
     /// From an instance's coordinates to the window.
     #[inline]
-    pub(crate) fn window_from_local(&self, instance: usize) -> &WindowTransform {
-        &self.transforms[self.transform_of(instance)]
+    pub(crate) fn window_from_local(&self, instance: usize) -> WindowTransform {
+        self.transforms.get(self.transform_of(instance))
     }
 
     /// Whether a cluster of an instance, by its number within it, repeats the one before it where nothing

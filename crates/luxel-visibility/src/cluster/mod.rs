@@ -8,6 +8,7 @@ mod instances;
 mod normal_cone;
 mod repeats;
 mod transient_block;
+mod window_transforms;
 
 pub(crate) use block::{Block, CLUSTER_VERTICES, GROUP_WORDS};
 pub use block::{CLUSTER_TRIANGLES, ShadingVertex};

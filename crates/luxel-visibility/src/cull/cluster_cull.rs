@@ -94,7 +94,7 @@ pub(crate) fn visible_clusters(
             let transform = instances.transform_of(*instance);
             if transform != culler_of {
                 let matrix = instances.list[*instance].view_from_local.matrix();
-                culler = ConeCuller::new(projection, size, matrix);
+                culler = ConeCuller::new(projection, size, &matrix);
                 culler_of = transform;
             }
             let transform = instances.window_from_local(*instance);
@@ -103,7 +103,7 @@ pub(crate) fn visible_clusters(
             let faces = culler.as_ref().map(|culler| BackFaces { culler, parts });
             let (groups, before) = (groups.clone(), visible.len());
             let out = &mut visible;
-            dispatch!(level, simd => cull_groups(simd, transform, size, clusters, groups, first, faces, out));
+            dispatch!(level, simd => cull_groups(simd, &transform, size, clusters, groups, first, faces, out));
             if clusters.has_repeated() {
                 let repeated = |visible: &mut VisibleCluster| {
                     instances.is_cluster_repeated(*instance, (visible.cluster - first) as usize)

@@ -39,11 +39,17 @@ impl ViewSpace {
 pub struct InstanceSpace {
     /// For places.
     pub view_from_local: ViewFromLocal,
+    orientation: Arc<Orientation>,
+}
+
+/// How an instance is turned and scaled: the same for instances that are moved only.
+#[derive(Clone, Debug, PartialEq)]
+struct Orientation {
     /// The camera's.
-    pub view: Arc<ViewSpace>,
-    /// From the mesh's coordinates to the world's.
-    world_from_mesh: Arc<DMat4>,
-    /// Rows of [`normal_from_mesh`](Self::normal_from_mesh), scaled to a largest entry of 1.
+    view: Arc<ViewSpace>,
+    /// From the mesh's axes to the world's.
+    world_from_mesh: DMat3,
+    /// Rows of [`InstanceSpace::normal_from_mesh`], scaled to a largest entry of 1.
     normals: [[f32; 3]; 3],
     /// -1 where the transform mirrors, else 1.
     handedness: f64,
@@ -53,43 +59,59 @@ impl InstanceSpace {
     /// The transforms of a mesh in its place before a camera, of which `view` is.
     #[must_use]
     pub fn new(
-        world_from_mesh: &Arc<DMat4>,
+        world_from_mesh: &DMat4,
         view_from_local: ViewFromLocal,
         view: &Arc<ViewSpace>,
     ) -> Self {
-        let (normal_from_mesh, handedness) = normal_from_mesh(world_from_mesh);
+        let world_from_mesh = DMat3::from_mat4(*world_from_mesh);
+        let (normal_from_mesh, handedness) = normal_from_mesh(&world_from_mesh);
         let largest =
             normal_from_mesh.to_cols_array().into_iter().fold(0.0, |largest: f64, value| {
                 if value.abs() > largest { value.abs() } else { largest }
             });
         let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-        Self {
-            view_from_local,
+        let orientation = Orientation {
             view: Arc::clone(view),
-            world_from_mesh: Arc::clone(world_from_mesh),
+            world_from_mesh,
             normals: rows(normal_from_mesh * scale),
             handedness,
-        }
+        };
+        Self { view_from_local, orientation: Arc::new(orientation) }
+    }
+
+    /// The same, with what another one has alike.
+    pub(crate) fn sharing(self, other: &Self) -> Self {
+        let view_from_local = self.view_from_local.sharing(&other.view_from_local);
+        let is_alike = self.orientation.has_bits_of(&other.orientation);
+        let orientation = if is_alike { &other.orientation } else { &self.orientation };
+        Self { view_from_local, orientation: Arc::clone(orientation) }
+    }
+
+    /// The camera's.
+    #[inline]
+    #[must_use]
+    pub fn view(&self) -> &ViewSpace {
+        &self.orientation.view
     }
 
     /// For normals: the inverse transpose of the mesh's transform, up to a positive factor.
     #[must_use]
     pub fn normal_from_mesh(&self) -> DMat3 {
-        normal_from_mesh(&self.world_from_mesh).0
+        normal_from_mesh(&self.orientation.world_from_mesh).0
     }
 
     /// A vector in view space, along the world's axes.
     #[inline(always)]
     #[must_use]
     pub fn along_world<N: Lanes>(&self, in_view: Vec3<N>) -> Vec3<N> {
-        transformed(&self.view.rotation, in_view)
+        transformed(&self.view().rotation, in_view)
     }
 
     /// A place in view space, about the eye along the world's axes.
     #[inline(always)]
     #[must_use]
     pub fn about_eye<D: F64Lanes>(&self, [x, y, z]: [D; 3]) -> Vec3<D::F32> {
-        transformed(&self.view.rotation, Vec3::new(x.to_f32(), y.to_f32(), z.to_f32()))
+        transformed(&self.view().rotation, Vec3::new(x.to_f32(), y.to_f32(), z.to_f32()))
     }
 
     /// The normals of a triangle's corners as the mesh has them; `None` where it has none.
@@ -113,7 +135,7 @@ impl InstanceSpace {
     #[inline(always)]
     #[must_use]
     pub fn unit_normal<N: Lanes>(&self, in_mesh: Vec3<N>) -> Vec3<N> {
-        transformed(&self.normals, in_mesh).normalized_or_zero()
+        transformed(&self.orientation.normals, in_mesh).normalized_or_zero()
     }
 
     /// A triangle's unit vertex normals in world space, turned to the side that is seen. Without
@@ -131,15 +153,16 @@ impl InstanceSpace {
         towards_eye: D,
         in_mesh: Option<[Vec3<D::F32>; 3]>,
     ) -> [Vec3<D::F32>; 3] {
-        let by_winding = transformed(&self.view.rotation, face_normal(sides));
-        let by_winding = by_winding * by_winding.x.constant(self.handedness as f32);
+        let handedness = self.orientation.handedness;
+        let by_winding = transformed(&self.view().rotation, face_normal(sides));
+        let by_winding = by_winding * by_winding.x.constant(handedness as f32);
         let [a, b, c] = match in_mesh {
             Some([a, b, c]) => [self.unit_normal(a), self.unit_normal(b), self.unit_normal(c)],
             None => [by_winding.normalized_or_zero(); 3],
         };
         let zero = a.x.zero();
         let inwards = by_winding.dot(a + b + c).less(zero);
-        let towards_eye = towards_eye * towards_eye.constant(self.handedness);
+        let towards_eye = towards_eye * towards_eye.constant(handedness);
         let (counterclockwise, clockwise) =
             (towards_eye.is_positive(), (-towards_eye).is_positive());
         let from_behind = (inwards & counterclockwise) | (!inwards & clockwise);
@@ -151,16 +174,23 @@ impl InstanceSpace {
     #[must_use]
     pub fn tangent(&self, mesh: &Mesh, attribute: usize) -> [f32; 4] {
         let Some(&[x, y, z, sign]) = mesh.tangents.get(attribute) else { return [0.0; 4] };
-        let tangent =
-            DMat3::from_mat4(*self.world_from_mesh) * DVec3::new(x.into(), y.into(), z.into());
+        let Orientation { world_from_mesh, handedness, .. } = &*self.orientation;
+        let tangent = *world_from_mesh * DVec3::new(x.into(), y.into(), z.into());
         let [x, y, z] = tangent.normalize_or_zero().as_vec3().to_array();
-        [x, y, z, if self.handedness < 0.0 { -sign } else { sign }]
+        [x, y, z, if *handedness < 0.0 { -sign } else { sign }]
+    }
+}
+
+impl Orientation {
+    /// Whether a camera's other orientation is that of the same axes, to the bit: the rest follows from these.
+    fn has_bits_of(&self, other: &Self) -> bool {
+        let bits = |axes: &DMat3| axes.to_cols_array().map(f64::to_bits);
+        bits(&self.world_from_mesh) == bits(&other.world_from_mesh)
     }
 }
 
 /// The inverse transpose of a transform, up to a positive factor, and -1 if the transform mirrors, else 1.
-fn normal_from_mesh(world_from_mesh: &DMat4) -> (DMat3, f64) {
-    let linear = DMat3::from_mat4(*world_from_mesh);
+fn normal_from_mesh(linear: &DMat3) -> (DMat3, f64) {
     // The cofactor matrix is the inverse transpose times the determinant, and exists even where
     // a flattening transform has no inverse.
     let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];

@@ -19,7 +19,7 @@ impl Probe {
     /// For a mesh in a window, as an [`Instance`](crate::Instance) is in a [`Frame`](crate::Frame).
     #[must_use]
     pub fn new(projection: &Projection, size: Size, view_from_local: &ViewFromLocal) -> Self {
-        Self { transform: WindowTransform::new(projection, size, view_from_local.matrix()) }
+        Self { transform: WindowTransform::new(projection, size, &view_from_local.matrix()) }
     }
 
     /// For an instance of a frame.

@@ -106,7 +106,7 @@ fn set_up(
     let part = instances.part_use(visible.cluster);
     let ranks = instances.ranks(number, cluster);
     let transform = instances.window_from_local(number);
-    dispatch!(level, simd => transform_cluster(simd, transform, block.vertices, [0; 2], vertices));
+    dispatch!(level, simd => transform_cluster(simd, &transform, block.vertices, [0; 2], vertices));
     let window = Region { x: 0, y: 0, width: size.width as i32, height: size.height as i32 };
     for (slot, &word) in block.triangles.iter().enumerate() {
         let corners = corners_of(word).map(|corner| vertices.vertex(corner));

@@ -74,10 +74,10 @@ pub(crate) fn draw<'f, S: Simd>(
             ranks: instances.ranks(number, cluster),
         };
         if visible.clipped {
-            draw_clipped(simd, transform, &drawn, &rules, tile);
+            draw_clipped(simd, &transform, &drawn, &rules, tile);
         } else {
             let bounds =
-                transform_cluster(simd, transform, drawn.block.vertices, middle, &mut vertices);
+                transform_cluster(simd, &transform, drawn.block.vertices, middle, &mut vertices);
             // Bounds of the vertices themselves are tighter than those of the cluster's box.
             if tile.occludes(simd, bounds.pixels, bounds.nearest) {
                 continue;

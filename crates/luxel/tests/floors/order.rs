@@ -99,6 +99,7 @@ pub(crate) const MODULES: &[(&str, &[&str])] = &[
             "point_tree",
             "extremes",
             "meshes",
+            "shared_axes",
             "scene",
             "coplanar",
             "normals",
