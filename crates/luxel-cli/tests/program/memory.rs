@@ -99,8 +99,8 @@ fn hundreds_of_thousands_of_used_materials_take_ten_times_their_file() {
 }
 
 /// A document with these nodes, all of them roots, and a mesh of one triangle.
-fn document(node: &str, count: usize) -> String {
-    let numbers: Vec<String> = (0..=count).map(|number| number.to_string()).collect();
+fn document(nodes: &[String]) -> String {
+    let numbers: Vec<String> = (0..=nodes.len()).map(|number| number.to_string()).collect();
     format!(
         r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{{"mesh":0}},{}],
         "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],"buffers":[{{"byteLength":36,
@@ -108,14 +108,14 @@ fn document(node: &str, count: usize) -> String {
         "bufferViews":[{{"buffer":0,"byteLength":36}}],"accessors":[{{"bufferView":0,
         "componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}}]}}"#,
         numbers.join(","),
-        vec![node; count].join(","),
+        nodes.join(","),
     )
 }
 
 #[test]
 fn a_million_nodes_without_anything_take_ten_times_their_file() {
     let folder = Folder::new();
-    let text = document("{}", 1_000_000);
+    let text = document(&vec!["{}".to_owned(); 1_000_000]);
     folder.write("empty.gltf", &text);
     read_within_bounds(&folder, "empty.gltf", text.len());
 }
@@ -123,11 +123,22 @@ fn a_million_nodes_without_anything_take_ten_times_their_file() {
 #[test]
 fn hundreds_of_thousands_of_instances_in_one_place_take_ten_times_their_file() {
     let folder = Folder::new();
-    let text = document(r#"{"mesh":0}"#, 200_000);
+    let text = document(&vec![r#"{"mesh":0}"#.to_owned(); 200_000]);
     folder.write("same.gltf", &text);
     read_within_bounds(&folder, "same.gltf", text.len());
     let pick = ["pick same.gltf --size 64x48 --at 32,24".to_owned()];
     work_within_bounds(&folder, &pick, text.len());
+}
+
+#[test]
+fn hundreds_of_thousands_of_instances_side_by_side_take_ten_times_their_file() {
+    let folder = Folder::new();
+    let node = |number: usize| {
+        format!(r#"{{"mesh":0,"translation":[{},{},0]}}"#, number % 450, number / 450)
+    };
+    let text = document(&(0..200_000).map(node).collect::<Vec<_>>());
+    folder.write("grid.gltf", &text);
+    read_within_bounds(&folder, "grid.gltf", text.len());
 }
 
 /// The trees that shadows need, in bytes, by the message of a run that may not take them.
