@@ -90,7 +90,7 @@ impl PlacedTrees {
         bodies: impl ExactSizeIterator<Item = &'o Object>,
         quality: Quality,
     ) -> Result<Self, TooManyForTree> {
-        // A list that grows leaves holes of half its size behind.
+        // A list that grows leaves the memory of its shorter lengths behind.
         let mut trees = Vec::with_capacity(bodies.len());
         let mut of_bodies = Vec::with_capacity(bodies.len());
         let mut last: Option<&Object> = None;
@@ -144,7 +144,7 @@ pub(crate) fn all<T>(
 }
 
 impl PlacedTree {
-    /// A mesh's own tree, after another one.
+    /// With the mesh's own tree, and the axes of the body before it where they are the same.
     fn new(mesh: usize, placement: Placement, before: Option<&Self>) -> Self {
         let Placement { world_from_tree, tree_from_world } = placement;
         let tree_from_world = SharedAxes::new(&tree_from_world);

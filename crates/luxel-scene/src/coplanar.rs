@@ -270,7 +270,8 @@ fn shared_boxes(
     bodies: &[Body<'_>],
     bounds_of_object: &dyn Fn(usize) -> [DVec3; 2],
 ) -> Vec<Shared> {
-    // With room for rounding, as for a part of the coordinates here.
+    // With room for rounding, as for a part of the coordinates here. Computed anew: kept in bodies, boxes would take as
+    // much memory as all else of them.
     let grown = |body: &Body<'_>| {
         let [low, high] = bounds_of_object(body.first as usize).map(|corner| corner - *body.middle);
         let largest = (low.abs().max(high.abs()) + body.middle.abs()).max_element();

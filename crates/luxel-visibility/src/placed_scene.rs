@@ -116,7 +116,7 @@ impl<'s> PlacedScene<'s> {
         let view = Arc::new(ViewSpace::new(camera));
         let mut instances: Vec<PlacedInstance> =
             Vec::with_capacity(bodies(objects).count() + strokes.len());
-        // Lists that grow leave holes of half their size behind.
+        // A list that grows leaves the memory of its shorter lengths behind.
         let mut spaces: Vec<InstanceSpace> = Vec::with_capacity(instances.capacity());
         let mut push = |objects, strokes, parts: Arc<[PartUse]>, space: InstanceSpace| {
             let before = spaces.last();

@@ -80,7 +80,7 @@ impl<'a> Instances<'a> {
         projection: &Projection,
         size: Size,
     ) -> Result<Self, TooManyTriangles> {
-        // Lists that grow leave holes of half their size behind.
+        // A list that grows leaves the memory of its shorter lengths behind.
         let mut first_clusters = Vec::with_capacity(list.len() + 1);
         first_clusters.push(0);
         let mut clusters = 0_u64;

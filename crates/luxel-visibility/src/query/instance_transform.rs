@@ -82,7 +82,7 @@ impl InstanceSpace {
     /// The same, with what another one has alike.
     pub(crate) fn sharing(self, other: &Self) -> Self {
         let view_from_local = self.view_from_local.sharing(&other.view_from_local);
-        let is_alike = self.orientation.has_bits_of(&other.orientation);
+        let is_alike = self.orientation.has_axes_of(&other.orientation);
         let orientation = if is_alike { &other.orientation } else { &self.orientation };
         Self { view_from_local, orientation: Arc::clone(orientation) }
     }
@@ -182,8 +182,8 @@ impl InstanceSpace {
 }
 
 impl Orientation {
-    /// Whether a camera's other orientation is that of the same axes, to the bit: the rest follows from these.
-    fn has_bits_of(&self, other: &Self) -> bool {
+    /// Whether another orientation before the same camera has axes with the same bits: the rest follows from these.
+    fn has_axes_of(&self, other: &Self) -> bool {
         let bits = |axes: &DMat3| axes.to_cols_array().map(f64::to_bits);
         bits(&self.world_from_mesh) == bits(&other.world_from_mesh)
     }
