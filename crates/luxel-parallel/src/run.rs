@@ -135,6 +135,8 @@ pub fn gather<T: Send>(
     let mut lists: Vec<Vec<T>> = map(count, length, &|run| {
         let mut list = Vec::new();
         append(run, &mut list);
+        // Lists that grow are up to twice as long as what they hold.
+        list.shrink_to_fit();
         list
     });
     let mut total = 0;

@@ -45,8 +45,8 @@ impl BackFaces<'_> {
 
 /// Groups of sixteen clusters of one instance.
 struct Piece {
-    instance: usize,
-    groups: Range<usize>,
+    instance: u32,
+    groups: Range<u32>,
 }
 
 /// The groups of all instances, in pieces of at most this many.
@@ -54,13 +54,17 @@ const MOST_GROUPS: usize = 64;
 
 fn pieces(instances: &Instances<'_>) -> Vec<Piece> {
     let shown = (0..instances.list.len()).filter(|&instance| !instances.list[instance].is_repeated);
-    let pieces_of = |instance: usize| {
-        let groups = instances.list[instance].clusters.count().div_ceil(LANES);
-        (0..groups)
-            .step_by(MOST_GROUPS)
-            .map(move |start| Piece { instance, groups: start..groups.min(start + MOST_GROUPS) })
-    };
-    shown.flat_map(pieces_of).collect()
+    let groups_of = |instance: usize| instances.list[instance].clusters.count().div_ceil(LANES);
+    let count = shown.clone().map(|instance| groups_of(instance).div_ceil(MOST_GROUPS)).sum();
+    let mut pieces = Vec::with_capacity(count);
+    for instance in shown {
+        let groups = groups_of(instance);
+        pieces.extend((0..groups).step_by(MOST_GROUPS).map(|start| Piece {
+            instance: instance as u32,
+            groups: start as u32..groups.min(start + MOST_GROUPS) as u32,
+        }));
+    }
+    pieces
 }
 
 /// Runs of pieces that have about as many groups: of small instances, a run has many.
@@ -91,22 +95,24 @@ pub(crate) fn visible_clusters(
         let mut culler = None;
         let mut culler_of = usize::MAX;
         for Piece { instance, groups } in &pieces[runs[run.start].clone()] {
-            let transform = instances.transform_of(*instance);
+            let instance = *instance as usize;
+            let transform = instances.transform_of(instance);
             if transform != culler_of {
-                let matrix = instances.list[*instance].view_from_local.matrix();
+                let matrix = instances.list[instance].view_from_local.matrix();
                 culler = ConeCuller::new(projection, size, &matrix);
                 culler_of = transform;
             }
-            let transform = instances.window_from_local(*instance);
-            let Instance { clusters, parts, .. } = &instances.list[*instance];
-            let first = instances.first_clusters[*instance];
+            let transform = instances.window_from_local(instance);
+            let Instance { clusters, parts, .. } = &instances.list[instance];
+            let first = instances.first_clusters[instance];
             let faces = culler.as_ref().map(|culler| BackFaces { culler, parts });
-            let (groups, before) = (groups.clone(), visible.len());
+            let groups = groups.start as usize..groups.end as usize;
+            let before = visible.len();
             let out = &mut visible;
             dispatch!(level, simd => cull_groups(simd, &transform, size, clusters, groups, first, faces, out));
             if clusters.has_repeated() {
                 let repeated = |visible: &mut VisibleCluster| {
-                    instances.is_cluster_repeated(*instance, (visible.cluster - first) as usize)
+                    instances.is_cluster_repeated(instance, (visible.cluster - first) as usize)
                 };
                 visible.extract_if(before.., repeated).for_each(drop);
             }
