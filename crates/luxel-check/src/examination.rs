@@ -286,7 +286,7 @@ impl<'a> Examination<'a> {
     /// Examines an object in the view.
     fn in_view(&mut self, object: &Object, edges: &Edges, is_excluded: &[bool]) {
         let View { camera, size, shading, .. } = &self.setup.view;
-        let view = MeshView::new(camera, *size, &object.world_from_mesh, self.mesh.origin);
+        let view = MeshView::new(camera, *size, &object.world_from_mesh.matrix(), self.mesh.origin);
         if shading.interpolation != Interpolation::Perspective {
             let drifts =
                 screen_drift::drifts(&self.surface, is_excluded, &view, Setup::LEAST_DRIFT);

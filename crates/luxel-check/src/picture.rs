@@ -111,7 +111,8 @@ impl Report {
             let Some(marks) = kinds.last_mut() else { continue };
             let object = &objects[*object as usize];
             let mesh = &scene.meshes[object.mesh.index()];
-            let place = |index: u32| object.world_from_mesh.transform_point3(mesh.position(index));
+            let place =
+                |index: u32| object.world_from_mesh.matrix().transform_point3(mesh.position(index));
             let mut line = |from: u32, to: u32| {
                 sight.seen([place(from), place(to)], &mut marks.lines);
             };

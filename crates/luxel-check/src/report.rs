@@ -60,6 +60,6 @@ pub(crate) fn place(number: u32, object: &Object, mesh: &Mesh, spot: Spot) -> Pl
         }
         Spot::Vertex(position, triangle) => (triangle, mesh.position(position)),
     };
-    let position: DVec3 = object.world_from_mesh.transform_point3(position);
+    let position: DVec3 = object.world_from_mesh.matrix().transform_point3(position);
     Place { object: number, triangle: Some(triangle), position }
 }

@@ -45,7 +45,7 @@ fn triangles(scene: &Scene) -> Vec<[Corner; 3]> {
     let corner = |index: u32| {
         let [u, v] = mesh.uvs[0][index as usize];
         Corner {
-            position: object.world_from_mesh.transform_point3(mesh.position(index)),
+            position: object.world_from_mesh.matrix().transform_point3(mesh.position(index)),
             normal: mesh.normals[index as usize],
             uv: [a * u + b * v + c, d * u + e * v + f],
             color: mesh.colors[index as usize],

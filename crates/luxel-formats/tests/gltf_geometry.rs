@@ -205,7 +205,7 @@ fn a_skin_follows_its_joints_and_not_its_node() {
     let object = &scene.objects()[0];
     let at = |index| {
         let position = scene.meshes[0].position(index);
-        object.world_from_mesh.transform_point3(position).to_array()
+        object.world_from_mesh.matrix().transform_point3(position).to_array()
     };
     assert_eq!(at(0), [0.0, 0.0, 0.0]);
     assert_eq!(at(1), [1.0, 7.0, 0.0]);

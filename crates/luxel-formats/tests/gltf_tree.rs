@@ -66,7 +66,7 @@ fn places_are_scaled_then_turned_then_moved() {
         json!([0]),
     );
     let scene = document.load().scene;
-    let world = *scene.objects()[0].world_from_mesh;
+    let world = scene.objects()[0].world_from_mesh.matrix();
     let x = world.transform_point3(DVec3::X);
     assert!(x.abs_diff_eq(DVec3::new(1.0, 3.0, 10.0), 1e-12), "{x}");
 }

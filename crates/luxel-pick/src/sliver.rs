@@ -198,13 +198,13 @@ impl<'r> Clipper<'r> {
         let projection = view.camera().projection.clip_from_view(view.size());
         let clip_from_world = projection * view.camera().view_from_world;
         let window = [f64::from(view.size().width), f64::from(view.size().height)];
-        let clip_from_tree = clip_from_world * *tree.world_from_tree;
+        let clip_from_tree = clip_from_world * tree.world_from_tree.matrix();
         let hull = frustum_planes(&region.hull(), window);
         let frustum = Frustum::new(&hull, &clip_from_tree, tree.bvh.bounds(), [0.0; PLANES]);
         Self {
             region,
             pieces: region.pieces().iter().map(|piece| frustum_planes(piece, window)).collect(),
-            clip_from_mesh: clip_from_world * *of.world_from_mesh,
+            clip_from_mesh: clip_from_world * of.world_from_mesh.matrix(),
             frustum,
             window,
         }

@@ -185,7 +185,7 @@ impl PickView<'_> {
         let mesh = rays.mesh(body);
         let own = mesh.range_of(self.picker.objects()[object].section);
         let (first, first_vertex) = (own.triangles.start, own.positions.start);
-        let world_from_mesh = &self.picker.objects()[object].world_from_mesh;
+        let world_from_mesh = self.picker.objects()[object].world_from_mesh.matrix();
         let place = |vertex: u32| world_from_mesh.transform_point3(mesh.position(vertex));
         let distance = |[px, py]: [f64; 2]| ((px - x) * (px - x) + (py - y) * (py - y)).sqrt();
         // The triangles of a polygon are consecutive.

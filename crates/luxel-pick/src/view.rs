@@ -138,7 +138,7 @@ impl<'p> PickView<'p> {
         let (tree_from_view, bounds_tell_depth) = match instance.strokes {
             Some(_) => (DMat4::IDENTITY, true),
             None => {
-                let tree = self.picker.tree(instance.objects.start);
+                let tree = self.picker.tree(instance.first_object());
                 let world_from_view = self.camera().view_from_world.inverse();
                 (tree.tree_from_world * world_from_view, tree.of_mesh)
             }
@@ -212,7 +212,7 @@ impl<'p> PickView<'p> {
         let instance = &self.placed.instances()[number];
         let bvh = match instance.strokes {
             Some(strokes) => &self.bvhs_of_strokes[strokes as usize],
-            None => self.picker.tree(instance.objects.start).bvh,
+            None => self.picker.tree(instance.first_object()).bvh,
         };
         Geometry { mesh: self.placed.mesh(instance), bvh }
     }

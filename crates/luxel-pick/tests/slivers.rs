@@ -94,7 +94,7 @@ fn by_hand(
         let mesh = &scene.meshes[object.mesh.index()];
         let clip_from_mesh = camera.projection.clip_from_view(SIZE)
             * camera.view_from_world
-            * *object.world_from_mesh;
+            * object.world_from_mesh.matrix();
         let of_triangle = |triangle: &[u32; 3]| {
             let corners = triangle.map(|vertex| clip_from_mesh * mesh.position(vertex).extend(1.0));
             let inside = planes.iter().fold(corners.to_vec(), |polygon, &plane| {
@@ -235,7 +235,8 @@ fn a_cursor_snaps_to_the_nearest_vertex_and_edge_that_are_seen() {
                 let object = &objects[hit.object];
                 let mesh = &scene.meshes[object.mesh.index()];
                 for corner in mesh.triangles[triangle as usize] {
-                    let place = object.world_from_mesh.transform_point3(mesh.position(corner));
+                    let place =
+                        object.world_from_mesh.matrix().transform_point3(mesh.position(corner));
                     let Some([wx, wy]) = view.window_of(place) else { continue };
                     least = least.min(((wx - x) * (wx - x) + (wy - y) * (wy - y)).sqrt());
                 }

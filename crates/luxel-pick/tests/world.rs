@@ -49,8 +49,9 @@ fn the_nearest_of_all_objects_is_that_of_asking_all_triangles() {
         for (object_number, object) in objects.iter().enumerate() {
             let mesh = &scene.meshes[0];
             for (triangle, corners) in (0..).zip(&mesh.triangles) {
-                let [a, b, c] = corners
-                    .map(|corner| object.world_from_mesh.transform_point3(mesh.position(corner)));
+                let [a, b, c] = corners.map(|corner| {
+                    object.world_from_mesh.matrix().transform_point3(mesh.position(corner))
+                });
                 let (ab, ac) = (b - a, c - a);
                 let p = ray.direction.cross(ac);
                 let determinant = ab.dot(p);

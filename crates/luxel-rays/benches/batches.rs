@@ -12,7 +12,6 @@ use luxel_rays::{RayLanes, SceneRays, Spread, WorldRay};
 use luxel_scene::{
     AlphaMode, DMat4, DVec3, MaterialId, MeshId, Node, Part, Scene, SceneMaterial, primitives,
 };
-use std::sync::Arc;
 use std::time::Instant;
 
 const ROUNDS: usize = 15;
@@ -30,7 +29,7 @@ fn balls(count: usize, alpha_mode: AlphaMode) -> Scene {
         let place = |at: usize| (2 * at + 1) as f64 / across as f64 - 1.0;
         let mut node = Node::root("ball", Some(MeshId(0)));
         let at = DVec3::new(place(at % across), place(at / across), 0.0);
-        node.parent_from_node = Arc::new(DMat4::from_translation(at));
+        node.parent_from_node = DMat4::from_translation(at).into();
         node
     };
     Scene {

@@ -2,16 +2,17 @@
 
 use luxel_scene::{AlphaMode, Mesh, Object, Scene, bodies};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Objects, and their runs that share a tree.
 pub(crate) struct Bodies {
-    objects: Vec<Object>,
+    objects: Arc<Vec<Object>>,
     /// The ends of the runs; none if each object is a body of its own.
     ends: Vec<u32>,
 }
 
 impl Bodies {
-    pub(crate) fn new(objects: Vec<Object>) -> Self {
+    pub(crate) fn new(objects: Arc<Vec<Object>>) -> Self {
         let mut ends: Vec<u32> = bodies(&objects).map(|body| body.end as u32).collect();
         if ends.len() == objects.len() {
             ends = Vec::new();

@@ -4,14 +4,12 @@ use crate::world_ray::centre_and_radius;
 use glam::{DMat3, DMat4, DVec3};
 use luxel_bvh::{Bvh, Quality, TooManyForTree};
 use luxel_parallel::{fill, map};
-use luxel_scene::{Mesh, Object, Scene, SharedAxes, is_same_matrix};
-use std::sync::Arc;
+use luxel_scene::{Mesh, Object, Scene, SharedAxes, SharedMatrix};
 
 /// The tree of a body, with its transforms.
 pub(crate) struct PlacedTree {
-    pub(crate) mesh: usize,
     /// The object's own matrix, where the mesh's coordinates are about 0.
-    pub(crate) world_from_tree: Arc<DMat4>,
+    pub(crate) world_from_tree: SharedMatrix,
     pub(crate) tree_from_world: SharedAxes,
     /// A tree in world coordinates, if the body's transform is singular or too anisotropic for rays to
     /// be transformed.
@@ -41,7 +39,7 @@ pub struct BodyTree<'p> {
     /// The positions of its triangles' corners.
     pub positions: &'p [[f32; 3]],
     /// From the tree's coordinates to the world's.
-    pub world_from_tree: &'p DMat4,
+    pub world_from_tree: &'p SharedMatrix,
     /// From the world's coordinates to the tree's.
     pub tree_from_world: DMat4,
     /// Whether the tree's positions are the mesh's own.
@@ -54,24 +52,28 @@ const MAX_STRETCH: f64 = 1e4;
 
 /// Where an object's mesh is.
 pub(crate) struct Placement {
-    world_from_tree: Arc<DMat4>,
+    world_from_tree: SharedMatrix,
     tree_from_world: DMat4,
 }
 
 impl Placement {
     pub(crate) fn of(mesh: &Mesh, object: &Object) -> Self {
         let own = &object.world_from_mesh;
-        let world_from_tree = **own * DMat4::from_translation(mesh.origin);
-        let is_own = is_same_matrix(own, &world_from_tree);
-        let world_from_tree = if is_own { Arc::clone(own) } else { Arc::new(world_from_tree) };
+        let world_from_tree = own.matrix() * DMat4::from_translation(mesh.origin);
         let tree_from_world = world_from_tree.inverse();
+        let world_from_tree = SharedMatrix::sharing(&world_from_tree, own);
         Self { world_from_tree, tree_from_world }
+    }
+
+    /// Whether its matrix is the object's own.
+    pub(crate) fn is_of(&self, object: &Object) -> bool {
+        self.world_from_tree.is_copy_of(&object.world_from_mesh)
     }
 
     /// Whether the object needs a tree in world coordinates.
     pub(crate) fn is_baked(&self) -> bool {
         let Self { world_from_tree, tree_from_world } = self;
-        let is_even = || stretch(world_from_tree, tree_from_world) < MAX_STRETCH;
+        let is_even = || stretch(&world_from_tree.matrix(), tree_from_world) < MAX_STRETCH;
         !(tree_from_world.is_finite() && is_even())
     }
 }
@@ -94,16 +96,16 @@ impl PlacedTrees {
         let mut trees = Vec::with_capacity(bodies.len());
         let mut of_bodies = Vec::with_capacity(bodies.len());
         let mut last: Option<&Object> = None;
-        // The places of those that need a tree in world coordinates.
-        let mut baked: Vec<usize> = Vec::new();
+        // The places of those that need a tree in world coordinates, and their meshes.
+        let mut baked: Vec<(usize, &Mesh)> = Vec::new();
         for object in bodies {
             if !last.is_some_and(|last| object.repeats(last)) {
-                let mesh = object.mesh.index();
-                let placement = Placement::of(&scene.meshes[mesh], object);
+                let mesh = &scene.meshes[object.mesh.index()];
+                let placement = Placement::of(mesh, object);
                 if placement.is_baked() {
-                    baked.push(trees.len());
+                    baked.push((trees.len(), mesh));
                 }
-                let tree = PlacedTree::new(mesh, placement, trees.last());
+                let tree = PlacedTree::new(placement, trees.last());
                 trees.push(tree);
             }
             last = Some(object);
@@ -111,10 +113,10 @@ impl PlacedTrees {
         }
         trees.shrink_to_fit();
         let built = map(baked.len(), 1, &|run| {
-            let PlacedTree { mesh, world_from_tree, .. } = &trees[baked[run.start]];
-            Some(BakedTree::new(&scene.meshes[*mesh], world_from_tree, quality))
+            let (place, mesh) = baked[run.start];
+            Some(BakedTree::new(mesh, &trees[place].world_from_tree.matrix(), quality))
         });
-        for (place, built) in baked.into_iter().zip(all(built)?) {
+        for ((place, _), built) in baked.into_iter().zip(all(built)?) {
             trees[place].bake(built);
         }
         Ok(Self { trees, of_bodies })
@@ -145,19 +147,19 @@ pub(crate) fn all<T>(
 
 impl PlacedTree {
     /// With the mesh's own tree, and the axes of the body before it where they are the same.
-    fn new(mesh: usize, placement: Placement, before: Option<&Self>) -> Self {
+    fn new(placement: Placement, before: Option<&Self>) -> Self {
         let Placement { world_from_tree, tree_from_world } = placement;
         let tree_from_world = SharedAxes::new(&tree_from_world);
         let tree_from_world = match before {
             Some(before) => tree_from_world.sharing(&before.tree_from_world),
             None => tree_from_world,
         };
-        Self { mesh, world_from_tree, tree_from_world, baked: None }
+        Self { world_from_tree, tree_from_world, baked: None }
     }
 
     /// Takes a tree in world coordinates instead.
     fn bake(&mut self, tree: BakedTree) {
-        self.world_from_tree = Arc::new(DMat4::from_translation(tree.middle));
+        self.world_from_tree = DMat4::from_translation(tree.middle).into();
         self.tree_from_world = SharedAxes::new(&DMat4::from_translation(-tree.middle));
         self.baked = Some(Box::new(tree));
     }
@@ -198,10 +200,11 @@ impl BodyTree<'_> {
             return [DVec3::INFINITY, DVec3::NEG_INFINITY];
         };
         let mut bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        let world_from_tree = self.world_from_tree.matrix();
         for corner in 0..8 {
             let at =
                 |axis: usize| f64::from(if corner >> axis & 1 == 0 { low } else { high }[axis]);
-            let place = self.world_from_tree.transform_point3(DVec3::new(at(0), at(1), at(2)));
+            let place = world_from_tree.transform_point3(DVec3::new(at(0), at(1), at(2)));
             bounds = [bounds[0].min(place), bounds[1].max(place)];
         }
         bounds

@@ -4,7 +4,7 @@ use crate::bodies::Bodies;
 use crate::body_tree::{PlacedTree, Placement};
 use crate::scene_rays::SceneRays;
 use luxel_bvh::{Bvh, Quality};
-use luxel_scene::{Mesh, Object, Part, Scene, SharedAxes, bodies};
+use luxel_scene::{Mesh, Object, Part, Scene, SharedAxes, SharedMatrix, bodies};
 
 impl SceneRays {
     /// An upper bound of the memory that [`SceneRays::of_objects`] takes beside the scene, in bytes,
@@ -25,8 +25,10 @@ impl SceneRays {
         // over all bodies, with its box.
         let of_body = |object: &Object, triangles: usize, positions: usize| {
             let mesh = &scene.meshes[object.mesh.index()];
-            let placed = (size_of::<PlacedTree>() + SharedAxes::BYTES) as u64 + 80;
-            if !Placement::of(mesh, object).is_baked() {
+            let placement = Placement::of(mesh, object);
+            let of_matrix = if placement.is_of(object) { 0 } else { SharedMatrix::BYTES };
+            let placed = (size_of::<PlacedTree>() + SharedAxes::BYTES + of_matrix) as u64 + 80;
+            if !placement.is_baked() {
                 return placed;
             }
             placed + of_tree(triangles) + (size_of::<[f32; 3]>() * positions) as u64

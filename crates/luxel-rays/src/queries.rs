@@ -230,7 +230,7 @@ impl SceneRays {
         near: &RebasedRay,
         hit: &RayHit,
     ) -> Option<WorldHit> {
-        let world_from_mesh = &self.bodies.object(body).world_from_mesh;
+        let world_from_mesh = self.bodies.object(body).world_from_mesh.matrix();
         let [a, b, c] = corners.map(|corner| world_from_mesh.transform_point3(corner));
         let rough = near.start + near.scale * f64::from(hit.t);
         let (ab, ac) = (b - a, c - a);

@@ -83,7 +83,7 @@ fn is_valid([low, high]: &[DVec3; 2]) -> bool {
 
 /// A scene in which bodies can be traced as one, and these objects in it: with a mesh for every object, if the scene
 /// itself is none.
-fn traceable(scene: Arc<Scene>, objects: Vec<Object>) -> (Arc<Scene>, Vec<Object>) {
+fn traceable(scene: Arc<Scene>, objects: Arc<Vec<Object>>) -> (Arc<Scene>, Arc<Vec<Object>>) {
     if Bodies::are_traceable(&scene, &objects) {
         return (scene, objects);
     }
@@ -93,8 +93,8 @@ fn traceable(scene: Arc<Scene>, objects: Vec<Object>) -> (Arc<Scene>, Vec<Object
         let node = object.node.index();
         all[node] = Some(object);
     }
-    let objects = objects.iter().filter_map(|object| all[object.node.index()].take()).collect();
-    (Arc::new(separate), objects)
+    let objects = objects.iter().filter_map(|object| all[object.node.index()].take());
+    (Arc::new(separate), Arc::new(objects.collect()))
 }
 
 impl SceneRays {
@@ -129,11 +129,11 @@ impl SceneRays {
     /// If the scene isn't [sound](Scene::check), or an object isn't its own.
     pub fn of_objects(
         scene: Arc<Scene>,
-        objects: Vec<Object>,
+        objects: impl Into<Arc<Vec<Object>>>,
         quality: Quality,
         level: Level,
     ) -> Result<Self, TooManyForTree> {
-        let (scene, objects) = traceable(scene, objects);
+        let (scene, objects) = traceable(scene, objects.into());
         let trees = MeshTrees::build(&scene, quality)?;
         Self::placed(trees, scene, objects, level)
     }
@@ -150,10 +150,10 @@ impl SceneRays {
     pub fn with_trees(
         trees: MeshTrees,
         scene: Arc<Scene>,
-        objects: Vec<Object>,
+        objects: impl Into<Arc<Vec<Object>>>,
         level: Level,
     ) -> Result<Self, TooManyForTree> {
-        let (scene, objects) = traceable(scene, objects);
+        let (scene, objects) = traceable(scene, objects.into());
         let quality = trees.quality;
         let trees = if trees.are_of(&scene) { trees } else { MeshTrees::build(&scene, quality)? };
         Self::placed(trees, scene, objects, level)
@@ -169,7 +169,7 @@ impl SceneRays {
     fn placed(
         trees: MeshTrees,
         scene: Arc<Scene>,
-        objects: Vec<Object>,
+        objects: Arc<Vec<Object>>,
         level: Level,
     ) -> Result<Self, TooManyForTree> {
         let quality = trees.quality;
@@ -303,7 +303,10 @@ impl SceneRays {
         let placed = self.placed.of_body(body);
         let (bvh, positions) = match &placed.baked {
             Some(baked) => (&baked.bvh, &baked.positions),
-            None => (&self.trees.bvhs[placed.mesh], &self.scene.meshes[placed.mesh].positions),
+            None => {
+                let mesh = self.bodies.object(body).mesh.index();
+                (&self.trees.bvhs[mesh], &self.scene.meshes[mesh].positions)
+            }
         };
         BodyTree {
             bvh,
@@ -319,7 +322,7 @@ impl SceneRays {
         let placed = self.placed.of_body(body);
         match &placed.baked {
             Some(baked) => baked.sphere,
-            None => self.trees.spheres[placed.mesh],
+            None => self.trees.spheres[self.bodies.object(body).mesh.index()],
         }
     }
 

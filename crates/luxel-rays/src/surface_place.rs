@@ -1,7 +1,7 @@
 //! Places on triangles from which rays leave.
 
 use crate::scene_rays::SceneRays;
-use glam::{DMat4, DVec3};
+use glam::DVec3;
 use luxel_math::prelude::*;
 use luxel_math::{LANES, lanes_of};
 
@@ -111,7 +111,7 @@ impl SceneRays {
         let edge = INSET * lift_in_tree / twice_area_length;
         let sides = [c - b, in_tree[1], in_tree[0]];
         let least = sides.map(|side| (length(side) * edge).min(1.0 / 3.0));
-        let world_from_tree: &DMat4 = tree.world_from_tree;
+        let world_from_tree = tree.world_from_tree.matrix();
         let corner = world_from_tree.transform_point3(a);
         let ways = in_tree.map(|way| world_from_tree.transform_vector3(way));
         let across = ways[0].cross(ways[1]);

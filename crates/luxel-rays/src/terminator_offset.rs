@@ -32,8 +32,9 @@ impl SceneRays {
         let corners = mesh.triangles[triangle as usize];
         let attributes = mesh.attribute_corners()[triangle as usize];
         let tree = self.tree(body);
-        let world_from_mesh = DMat3::from_mat4(*self.objects()[object].world_from_mesh);
+        let world_from_mesh = DMat3::from_mat4(self.objects()[object].world_from_mesh.matrix());
         let turned = world_from_mesh.inverse().transpose();
+        let world_from_tree = tree.world_from_tree.matrix();
         let mut offset = DVec3::ZERO;
         for ((weight, vertex), attribute) in barycentric.into_iter().zip(corners).zip(attributes) {
             let Some(&normal) = mesh.normals.get(attribute as usize) else { return DVec3::ZERO };
@@ -41,7 +42,7 @@ impl SceneRays {
             let normal = normal.normalize_or_zero();
             let outwards = if normal.dot(place.normal) < 0.0 { -normal } else { normal };
             let corner = DVec3::from_array(tree.positions[vertex as usize].map(f64::from));
-            let corner = tree.world_from_tree.transform_point3(corner);
+            let corner = world_from_tree.transform_point3(corner);
             let below = (corner - place.position).dot(outwards).max(0.0);
             offset += f64::from(weight) * below * outwards;
         }

@@ -20,7 +20,7 @@ fn batches(scene: &Scene, count: usize) -> Vec<Vec<RayLanes>> {
     for object in &objects {
         let mesh = &scene.meshes[object.mesh.index()];
         for vertex in (0..mesh.positions.len() as u32).step_by(97) {
-            places.push(object.world_from_mesh.transform_point3(mesh.position(vertex)));
+            places.push(object.world_from_mesh.matrix().transform_point3(mesh.position(vertex)));
         }
     }
     let low = places.iter().copied().fold(DVec3::INFINITY, DVec3::min);
@@ -173,7 +173,7 @@ fn thousands_of_surfaces_in_the_way_of_rays_together_weaken_each_as_alone() {
     ball.triangles = ball.triangles.repeat(1500);
     ball.attribute_corners = ball.attribute_corners.take().map(|corners| corners.repeat(1500));
     ball.parts[0].count = ball.triangles.len() as u32;
-    let middle = scene.objects()[0].world_from_mesh.transform_point3(DVec3::ZERO);
+    let middle = scene.objects()[0].world_from_mesh.matrix().transform_point3(DVec3::ZERO);
     let rays = SceneRays::new(scene).unwrap();
     let mut random = Random(3);
     let mut lanes = || {

@@ -102,7 +102,7 @@ fn places(scene: &Scene, eye: [f64; 3]) -> Vec<[f32; 3]> {
     let all: u64 = objects.iter().map(count).sum();
     if all == 0 {
         let middle = |object: &&Object| {
-            let bounds = scene.meshes.bounds_of(object.mesh, &object.world_from_mesh);
+            let bounds = scene.meshes.bounds_of(object.mesh, &object.world_from_mesh.matrix());
             (!bounds.is_empty()).then(|| about_eye(bounds.centre()).to_array())
         };
         return objects.iter().filter_map(middle).collect();
@@ -123,7 +123,7 @@ fn places(scene: &Scene, eye: [f64; 3]) -> Vec<[f32; 3]> {
                 luxel_scene::DVec3::from(mesh.positions[at as usize].map(f64::from)) / 3.0
             };
             let middle = corner(corners[0]) + corner(corners[1]) + corner(corners[2]);
-            let world = object.world_from_mesh.transform_point3(mesh.origin + middle);
+            let world = object.world_from_mesh.matrix().transform_point3(mesh.origin + middle);
             places.push(about_eye(world).to_array());
             next += 1;
         }

@@ -9,9 +9,9 @@
 //! Most triangles meet no other object's. A grid of voxels finds those that may, and a table of the planes in
 //! each voxel those of them whose plane is another object's, too. What is left is compared in pairs.
 
-use crate::{Mesh, Object, Scene, bodies};
+use crate::{Mesh, Object, Scene, SharedMatrix, bodies};
 use glam::{DMat4, DVec3, DVec4};
-use luxel_parallel::{gather, map, sort_u64, sort_u128};
+use luxel_parallel::{gather, map, sort_u64};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -53,7 +53,7 @@ impl CoplanarRanks {
         let shown = || bodies(objects).filter(|body| !is_repeated(scene, objects, body));
         let bounds_of_object = |object: usize| {
             let Object { mesh, world_from_mesh, .. } = &objects[object];
-            bounds_of(&boxes[mesh.index()], world_from_mesh)
+            bounds_of(&boxes[mesh.index()], &world_from_mesh.matrix())
         };
         let around = shown()
             .map(|body| bounds_of_object(body.start))
@@ -134,7 +134,7 @@ struct Body<'a> {
     first: u32,
     count: u32,
     mesh: &'a Mesh,
-    world_from_mesh: &'a DMat4,
+    world_from_mesh: &'a SharedMatrix,
     /// The middle of the scene, which planes are about.
     middle: &'a DVec3,
     shared: Shared,
@@ -196,7 +196,7 @@ impl<'a> Body<'a> {
 
     /// The largest factor by which its place scales.
     fn scale(&self) -> f64 {
-        let DMat4 { x_axis, y_axis, z_axis, .. } = *self.world_from_mesh;
+        let DMat4 { x_axis, y_axis, z_axis, .. } = self.world_from_mesh.matrix();
         [x_axis, y_axis, z_axis].map(DVec4::length).into_iter().fold(0.0, f64::max)
     }
 
@@ -204,8 +204,9 @@ impl<'a> Body<'a> {
     #[inline]
     fn corners(&self, triangle: u32) -> [DVec3; 3] {
         let [a, b, c] = self.mesh.triangles[triangle as usize];
+        let world_from_mesh = self.world_from_mesh.matrix();
         let place = |corner: u32| {
-            self.world_from_mesh.transform_point3(self.mesh.position(corner)) - *self.middle
+            world_from_mesh.transform_point3(self.mesh.position(corner)) - *self.middle
         };
         [place(a), place(b), place(c)]
     }
@@ -228,7 +229,7 @@ impl<'a> Body<'a> {
         let largest = self.mesh.triangles[triangle as usize]
             .map(|corner| self.mesh.position(corner).abs().max_element());
         let largest = largest.into_iter().fold(0.0, f64::max);
-        let moved = self.world_from_mesh.w_axis.truncate().abs().max_element();
+        let moved = self.world_from_mesh.matrix().w_axis.truncate().abs().max_element();
         let error = ROUNDING * (largest * self.scale() + moved);
         // Across its longest side it is area / longest high.
         let tilt = 2.0 * error * longest / area;
@@ -403,12 +404,13 @@ fn candidates(bodies: &[Body<'_>], voxels: &Voxels) -> Vec<Candidate> {
     })
 }
 
-/// The planes of triangles that are other objects' planes, too: as keys, the plane in the upper bits and the
-/// number of the triangle in the lower, in ascending order.
-fn shared_planes(candidates: &[Candidate], bodies: &[Body<'_>], voxels: &Voxels) -> Vec<u128> {
+/// The planes of triangles that are other objects' planes, too: as keys, the plane's hash in the upper bits and the
+/// number of the triangle in the lower, in ascending order. Planes with equal hashes are taken for one: their
+/// triangles are compared in vain.
+fn shared_planes(candidates: &[Candidate], bodies: &[Body<'_>], voxels: &Voxels) -> Vec<u64> {
     let mut keys = gather(candidates.len(), RUN, &|run, keys| {
         for number in run {
-            let key = |plane: u64| u128::from(plane) << 32 | number as u128;
+            let key = |plane: u64| u64::from(hash(plane)) << 32 | number as u64;
             if let Some(facet) = candidates[number].facet(bodies) {
                 voxels.visit_planes(&facet, &mut |plane| keys.push(key(plane)));
             }
@@ -417,28 +419,28 @@ fn shared_planes(candidates: &[Candidate], bodies: &[Body<'_>], voxels: &Voxels)
     let owners = Owners::new(2 * candidates.len());
     luxel_parallel::tasks(keys.len().div_ceil(RUN), &|run| {
         for &key in keys[run * RUN..].iter().take(RUN) {
-            owners.add(hash((key >> 32) as u64), candidates[key as u32 as usize].object);
+            owners.add((key >> 32) as usize, candidates[key as u32 as usize].object);
         }
     });
-    keys.retain(|&key| owners.are_several(hash((key >> 32) as u64)));
-    sort_u128(&mut keys);
+    keys.retain(|&key| owners.are_several((key >> 32) as usize));
+    sort_u64(&mut keys);
     keys
 }
 
 /// Multiplicative hashing (Knuth, volume 3, section 6.4) with the golden ratio.
-const fn hash(plane: u64) -> usize {
-    (plane.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as usize
+const fn hash(plane: u64) -> u32 {
+    (plane.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as u32
 }
 
 /// The numbers of candidates of ranks above 0, with these.
 fn ranks_of(candidates: &[Candidate], bodies: &[Body<'_>], voxels: &Voxels) -> Vec<(u32, u8)> {
     let keys = shared_planes(candidates, bodies, voxels);
-    let in_planes: Vec<&[u128]> = keys.chunk_by(|one, other| one >> 32 == other >> 32).collect();
+    let in_planes: Vec<&[u64]> = keys.chunk_by(|one, other| one >> 32 == other >> 32).collect();
     let mut found: Vec<u64> = gather(in_planes.len(), 64, &|run, found| {
         for plane in &in_planes[run] {
-            let object = |key: &u128| candidates[*key as u32 as usize].object;
+            let object = |key: &u64| candidates[*key as u32 as usize].object;
             if plane.iter().any(|key| object(key) != object(&plane[0])) {
-                let of_key = |key: &u128| {
+                let of_key = |key: &u64| {
                     let candidate = &candidates[*key as u32 as usize];
                     Some((*key as u32, candidate, candidate.facet(bodies)?))
                 };

@@ -14,11 +14,10 @@ mod measure;
 pub(crate) use measure::{Along, Coordinate, Slope};
 
 use crate::point_tree::{LEAF, PointTree, WIDTH};
-use crate::{Bounds, Mesh};
+use crate::{Bounds, Mesh, SharedAxes};
 use cut::Cut;
 use glam::{DMat4, DVec3};
 use measure::Measure;
-use std::sync::Arc;
 
 /// Where a maximum was found: a good place to begin the search for a similar one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,8 +38,7 @@ pub(crate) struct Extremes<'a> {
 struct Object<'a> {
     mesh: &'a Mesh,
     tree: &'a PointTree,
-    /// Objects that follow one another in the same place share it.
-    target_from_mesh: Arc<DMat4>,
+    target_from_mesh: SharedAxes,
     /// The largest terms of its points' coordinates.
     magnitudes: DVec3,
     /// The largest coordinates of its points in the mesh.
@@ -53,7 +51,7 @@ impl<'a> Extremes<'a> {
     pub(crate) fn of_objects(
         objects: impl Iterator<Item = (&'a Mesh, &'a PointTree, DMat4)>,
     ) -> Self {
-        let mut last: Option<Arc<DMat4>> = None;
+        let mut last = SharedAxes::new(&DMat4::IDENTITY);
         let drawn = objects.filter(|(_, tree, _)| tree.len() > 0);
         let objects = drawn.map(|(mesh, tree, target_from_mesh)| {
             let [low, high] = tree.bounds();
@@ -64,15 +62,8 @@ impl<'a> Extremes<'a> {
                 [0, 1, 2, 3].map(|column| target_from_mesh.col(column).truncate().abs());
             let magnitudes =
                 x * with_origin.x + y * with_origin.y + z * with_origin.z + translation;
-            let shared = last.take().filter(|last| **last == target_from_mesh);
-            let target_from_mesh = last.insert(shared.unwrap_or_else(|| target_from_mesh.into()));
-            Object {
-                mesh,
-                tree,
-                target_from_mesh: Arc::clone(target_from_mesh),
-                magnitudes,
-                largest,
-            }
+            last = SharedAxes::new(&target_from_mesh).sharing(&last);
+            Object { mesh, tree, target_from_mesh: last.clone(), magnitudes, largest }
         });
         Self { objects: objects.collect(), single: Vec::new() }
     }
@@ -195,9 +186,10 @@ impl<M: Measure> Search<M> {
         if !points.iter().fold(false, |any, &point| any | counts(point)) {
             return;
         }
+        let target_from_mesh = object.target_from_mesh.matrix();
         for &[x, y, z] in points.iter().filter(|point| counts(**point)) {
             let position = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-            let point = object.target_from_mesh.transform_point3(object.mesh.origin + position);
+            let point = target_from_mesh.transform_point3(object.mesh.origin + position);
             let value = self.measure.at(point);
             if is_higher(value, self.best) {
                 (self.best, self.place) = (value, Some(place));

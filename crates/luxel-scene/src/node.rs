@@ -1,8 +1,6 @@
 //! The tree of nodes, and the numbers by which things of a scene are named.
 
-use crate::Name;
-use glam::DMat4;
-use std::sync::{Arc, LazyLock};
+use crate::{Name, SharedMatrix};
 
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident) => {
@@ -57,32 +55,24 @@ pub struct Node {
     /// From this node's coordinates to its parent's (to the world's, for a root).
     ///
     /// Nodes may share it: in files of many small objects all are in the same place.
-    pub parent_from_node: Arc<DMat4>,
+    pub parent_from_node: SharedMatrix,
     /// The mesh to draw.
     pub mesh: Option<MeshId>,
     /// Which of the mesh's [sections](crate::Mesh::sections) it shows; 0 for a mesh without any.
     pub section: u32,
 }
 
-/// The place of all nodes in world coordinates.
-static IDENTITY: LazyLock<Arc<DMat4>> = LazyLock::new(Arc::default);
-
 impl Node {
     /// A root in world coordinates.
     #[must_use]
     pub fn root(name: impl Into<Name>, mesh: Option<MeshId>) -> Self {
-        let parent_from_node = Arc::clone(&IDENTITY);
+        let parent_from_node = SharedMatrix::default();
         Self { name: name.into(), parent: None, parent_from_node, mesh, section: 0 }
     }
 
     /// The same node in another place.
     #[must_use]
-    pub fn at(self, parent: Option<NodeId>, parent_from_node: DMat4) -> Self {
-        let parent_from_node = if parent_from_node == DMat4::IDENTITY {
-            Arc::clone(&IDENTITY)
-        } else {
-            Arc::new(parent_from_node)
-        };
-        Self { parent, parent_from_node, ..self }
+    pub fn at(self, parent: Option<NodeId>, parent_from_node: impl Into<SharedMatrix>) -> Self {
+        Self { parent, parent_from_node: parent_from_node.into(), ..self }
     }
 }

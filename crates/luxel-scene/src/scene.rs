@@ -3,13 +3,12 @@
 use crate::extremes::Extremes;
 use crate::{
     Background, Bounds, EnvironmentChoice, Mesh, MeshId, Meshes, Node, NodeId, SceneCamera,
-    SceneLight, SceneMaterial, Texture,
+    SceneLight, SceneMaterial, SharedMatrix, Texture,
 };
 use glam::{DMat4, DQuat, DVec3};
 use luxel_lighting::Fog;
 use std::borrow::Cow;
 use std::ops::Range;
-use std::sync::Arc;
 
 /// Everything that can be drawn, lit and picked.
 ///
@@ -70,7 +69,7 @@ pub struct Object {
     pub section: u32,
     /// From the mesh's coordinates to the world's. Objects that follow one another in the same place
     /// share it.
-    pub world_from_mesh: Arc<DMat4>,
+    pub world_from_mesh: SharedMatrix,
 }
 
 impl Object {
@@ -78,7 +77,7 @@ impl Object {
     #[must_use]
     pub fn repeats(&self, other: &Self) -> bool {
         (self.mesh, self.section) == (other.mesh, other.section)
-            && is_same_matrix(&self.world_from_mesh, &other.world_from_mesh)
+            && self.world_from_mesh.has_bits_of(&other.world_from_mesh.matrix())
     }
 }
 
@@ -88,7 +87,7 @@ pub fn bodies(objects: &[Object]) -> impl Iterator<Item = Range<usize>> {
     let continues = |a: &Object, b: &Object| {
         a.mesh == b.mesh
             && a.section < b.section
-            && Arc::ptr_eq(&a.world_from_mesh, &b.world_from_mesh)
+            && a.world_from_mesh.is_copy_of(&b.world_from_mesh)
     };
     let mut next = 0;
     objects.chunk_by(continues).map(move |run| {
@@ -135,7 +134,7 @@ impl Scene {
     pub fn world_from_node(&self, node: NodeId) -> DMat4 {
         let parent = |&node: &NodeId| self.nodes[node.index()].parent;
         let chain: Vec<_> = std::iter::successors(Some(node), parent).collect();
-        let own = |node: &NodeId| *self.nodes[node.index()].parent_from_node;
+        let own = |node: &NodeId| self.nodes[node.index()].parent_from_node.matrix();
         chain.iter().rev().map(own).fold(DMat4::IDENTITY, |world, own| world * own)
     }
 
@@ -143,22 +142,22 @@ impl Scene {
     #[must_use]
     pub fn world_from_nodes(&self) -> Vec<DMat4> {
         let shared = self.shared_world_from_nodes();
-        shared.into_iter().map(|world| world.as_deref().copied().unwrap_or_default()).collect()
+        shared.into_iter().map(|world| world.unwrap_or_default().matrix()).collect()
     }
 
     /// From each node's coordinates to the world's, one for each. Nodes that follow one another in the same place
     /// share one, and those whose parents change nothing have their own.
-    fn shared_world_from_nodes(&self) -> Vec<Option<Arc<DMat4>>> {
-        let mut world: Vec<Option<Arc<DMat4>>> = vec![None; self.nodes.len()];
+    fn shared_world_from_nodes(&self) -> Vec<Option<SharedMatrix>> {
+        let mut world: Vec<Option<SharedMatrix>> = vec![None; self.nodes.len()];
         let mut chain = Vec::new();
-        let mut last: Option<Arc<DMat4>> = None;
+        let mut last = SharedMatrix::default();
         for start in 0..self.nodes.len() {
             // Climb to the nearest ancestor whose place is known, then come down again.
             let mut next = Some(start);
             let mut base = DMat4::IDENTITY;
             while let Some(index) = next {
                 if let Some(known) = &world[index] {
-                    base = **known;
+                    base = known.matrix();
                     break;
                 }
                 chain.push(index);
@@ -166,10 +165,11 @@ impl Scene {
             }
             for index in chain.drain(..).rev() {
                 let own = &self.nodes[index].parent_from_node;
-                base *= **own;
-                let shared = last.take().filter(|last| is_same_matrix(last, &base));
-                let shared = shared.or_else(|| is_same_matrix(own, &base).then(|| Arc::clone(own)));
-                world[index] = Some(Arc::clone(last.insert(shared.unwrap_or_else(|| base.into()))));
+                base *= own.matrix();
+                let is_base = |known: &&SharedMatrix| known.has_bits_of(&base);
+                let known = [&last, own].into_iter().find(is_base).cloned();
+                last = known.unwrap_or_else(|| SharedMatrix::sharing(&base, &last));
+                world[index] = Some(last.clone());
             }
         }
         world
@@ -203,9 +203,9 @@ impl Scene {
     pub fn bounds_of_object(&self, object: &Object) -> Bounds {
         let mesh = &self.meshes[object.mesh.index()];
         if mesh.sections.is_empty() {
-            self.meshes.bounds_of(object.mesh, &object.world_from_mesh)
+            self.meshes.bounds_of(object.mesh, &object.world_from_mesh.matrix())
         } else {
-            mesh.section(object.section).bounds(&object.world_from_mesh)
+            mesh.section(object.section).bounds(&object.world_from_mesh.matrix())
         }
     }
 
@@ -238,7 +238,7 @@ impl Scene {
         let of_bodies = bodies(objects).map(|body| {
             let Object { mesh, world_from_mesh, .. } = &objects[body.start];
             let (mesh, tree) = self.meshes.with_tree(*mesh);
-            (mesh, tree, target_from_mesh(world_from_mesh))
+            (mesh, tree, target_from_mesh(&world_from_mesh.matrix()))
         });
         Extremes::of_objects(of_bodies)
     }
@@ -260,11 +260,4 @@ impl Scene {
         };
         self.nodes.iter().filter_map(of).sum()
     }
-}
-
-/// Whether two matrices have the same bits: 0 and -0 differ, which == takes for the same.
-#[must_use]
-pub fn is_same_matrix(a: &DMat4, b: &DMat4) -> bool {
-    let bits = |matrix: &DMat4| matrix.to_cols_array().map(f64::to_bits);
-    bits(a) == bits(b)
 }

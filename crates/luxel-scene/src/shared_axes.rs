@@ -32,6 +32,12 @@ impl SharedAxes {
         self
     }
 
+    /// Whether both keep their axes in one place.
+    #[cfg(test)]
+    pub(crate) fn shares_axes_with(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.axes, &other.axes)
+    }
+
     /// The matrix.
     #[inline]
     #[must_use]
@@ -52,13 +58,13 @@ mod tests {
         let moved = DMat4::from_translation(DVec3::new(1.0, 2.0, 3.0)) * turned;
         let first = SharedAxes::new(&turned);
         let second = SharedAxes::new(&moved).sharing(&first);
-        assert!(Arc::ptr_eq(&first.axes, &second.axes));
+        assert!(second.shares_axes_with(&first));
         assert_eq!(second.matrix(), moved);
 
         let mut negative_zero = moved;
         negative_zero.x_axis.y = -0.0;
         let third = SharedAxes::new(&negative_zero).sharing(&second);
-        assert!(!Arc::ptr_eq(&first.axes, &third.axes));
+        assert!(!third.shares_axes_with(&first));
         assert!(third.matrix().x_axis.y.is_sign_negative());
     }
 }

@@ -72,8 +72,7 @@ impl SurfaceRules {
 /// the camera.
 #[derive(Clone, Debug)]
 pub struct PlacedInstance {
-    /// The objects, by their places in [`Scene::objects`].
-    pub objects: Range<usize>,
+    objects: Range<u32>,
     /// The place in [`PlacedScene::strokes`] of the points and lines that it is; `None` for triangles.
     pub strokes: Option<u32>,
     /// How each part of the mesh is drawn.
@@ -82,8 +81,22 @@ pub struct PlacedInstance {
     space: u32,
 }
 
+impl PlacedInstance {
+    /// The objects, by their places in [`Scene::objects`].
+    #[must_use]
+    pub fn objects(&self) -> Range<usize> {
+        self.objects.start as usize..self.objects.end as usize
+    }
+
+    /// The first object, whose mesh and place are those of all.
+    #[must_use]
+    pub fn first_object(&self) -> usize {
+        self.objects.start as usize
+    }
+}
+
 fn view_from_mesh(camera: &Camera, object: &Object) -> DMat4 {
-    camera.view_from_world * *object.world_from_mesh
+    camera.view_from_world * object.world_from_mesh.matrix()
 }
 
 /// A scene before a camera: an instance for each object, or for all that share a mesh as its sections,
@@ -118,31 +131,33 @@ impl<'s> PlacedScene<'s> {
             Vec::with_capacity(bodies(objects).count() + strokes.len());
         // A list that grows leaves the memory of its shorter lengths behind.
         let mut spaces: Vec<InstanceSpace> = Vec::with_capacity(instances.capacity());
-        let mut push = |objects, strokes, parts: Arc<[PartUse]>, space: InstanceSpace| {
-            let before = spaces.last();
-            if before != Some(&space) {
-                let space = match before {
-                    Some(before) => space.sharing(before),
-                    None => space,
-                };
-                spaces.push(space);
-            }
-            let same = instances.last().filter(|before| before.parts == parts);
-            let parts = same.map_or(parts, |before| Arc::clone(&before.parts));
-            instances.push(PlacedInstance {
-                objects,
-                strokes,
-                parts,
-                space: spaces.len() as u32 - 1,
-            });
-        };
+        let mut push =
+            |objects: Range<usize>, strokes, parts: Arc<[PartUse]>, space: InstanceSpace| {
+                let before = spaces.last();
+                if before != Some(&space) {
+                    let space = match before {
+                        Some(before) => space.sharing(before),
+                        None => space,
+                    };
+                    spaces.push(space);
+                }
+                let same = instances.last().filter(|before| before.parts == parts);
+                let parts = same.map_or(parts, |before| Arc::clone(&before.parts));
+                instances.push(PlacedInstance {
+                    objects: objects.start as u32..objects.end as u32,
+                    strokes,
+                    parts,
+                    space: spaces.len() as u32 - 1,
+                });
+            };
         for body in bodies(objects) {
             let object = &objects[body.start];
             let mesh = &scene.meshes[object.mesh.index()];
-            let mirrored = object.world_from_mesh.determinant() < 0.0;
+            let world_from_mesh = object.world_from_mesh.matrix();
+            let mirrored = world_from_mesh.determinant() < 0.0;
             let part_use = |material: usize| rules.part_use(&scene.materials[material], mirrored);
             let view_from_local = ViewFromLocal::new(&view_from_mesh(camera, object), mesh.origin);
-            let space = InstanceSpace::new(&object.world_from_mesh, view_from_local, &view);
+            let space = InstanceSpace::new(&world_from_mesh, view_from_local, &view);
             let parts = mesh.parts.iter().map(|part| part_use(part.material.index())).collect();
             push(body, None, parts, space);
         }
@@ -150,8 +165,8 @@ impl<'s> PlacedScene<'s> {
             let mesh = &strokes.mesh;
             let part = PartUse { coverage: rules.coverage.opaque, ..PartUse::default() };
             let view_from_local = ViewFromLocal::new(&DMat4::IDENTITY, mesh.origin);
-            let world_from_mesh = &objects[strokes.object].world_from_mesh;
-            let space = InstanceSpace::new(world_from_mesh, view_from_local, &view);
+            let world_from_mesh = objects[strokes.object].world_from_mesh.matrix();
+            let space = InstanceSpace::new(&world_from_mesh, view_from_local, &view);
             let parts = mesh.parts.iter().map(|_| part).collect();
             push(strokes.object..strokes.object + 1, Some(number), parts, space);
         }
@@ -207,7 +222,7 @@ impl<'s> PlacedScene<'s> {
         };
         let own = &self.instances[instance];
         let [first, first_before] =
-            [own, before].map(|instance| &self.objects[instance.objects.start]);
+            [own, before].map(|instance| &self.objects[instance.first_object()]);
         own.strokes.is_none()
             && before.strokes.is_none()
             && first.repeats(first_before)
@@ -225,7 +240,7 @@ impl<'s> PlacedScene<'s> {
     pub fn view_from_mesh(&self, instance: &PlacedInstance) -> DMat4 {
         match instance.strokes {
             Some(_) => DMat4::IDENTITY,
-            None => view_from_mesh(&self.camera, &self.objects[instance.objects.start]),
+            None => view_from_mesh(&self.camera, &self.objects[instance.first_object()]),
         }
     }
 
@@ -234,7 +249,7 @@ impl<'s> PlacedScene<'s> {
     pub fn mesh(&self, instance: &PlacedInstance) -> &Mesh {
         match instance.strokes {
             Some(number) => &self.strokes[number as usize].mesh,
-            None => &self.scene.meshes[self.objects[instance.objects.start].mesh.index()],
+            None => &self.scene.meshes[self.objects[instance.first_object()].mesh.index()],
         }
     }
 
@@ -244,7 +259,7 @@ impl<'s> PlacedScene<'s> {
     pub fn ranks(&self, instance: &PlacedInstance) -> &'s [(u32, u8)] {
         match instance.strokes {
             Some(_) => &[],
-            None => self.ranks.of_body(instance.objects.start),
+            None => self.ranks.of_body(instance.first_object()),
         }
     }
 
@@ -256,13 +271,13 @@ impl<'s> PlacedScene<'s> {
     #[must_use]
     pub fn object_of(&self, instance: usize, triangle: u32) -> (usize, Option<u32>) {
         let instance = &self.instances[instance];
-        let first = instance.objects.start;
+        let first = instance.first_object();
         if instance.strokes.is_some() {
             return (first, None);
         }
         let (section, triangle) = self.mesh(instance).section_of(triangle);
         let before = |object: &Object| object.section < section;
-        let within = self.objects[instance.objects.clone()].partition_point(before);
+        let within = self.objects[instance.objects()].partition_point(before);
         (first + within, Some(triangle))
     }
 
@@ -283,7 +298,7 @@ impl<'s> PlacedScene<'s> {
             mesh: self.mesh(instance),
             clusters: match instance.strokes {
                 Some(number) => &self.strokes[number as usize].clusters,
-                None => &clusters[self.objects[instance.objects.start].mesh.index()],
+                None => &clusters[self.objects[instance.first_object()].mesh.index()],
             },
             view_from_local: &self.space(number).view_from_local,
             parts: Arc::clone(&instance.parts),

@@ -192,7 +192,7 @@ fn awkward() -> Scene {
     }
     for node in &mut scene.nodes {
         if node.parent.is_none() {
-            node.parent_from_node = (far * *node.parent_from_node).into();
+            node.parent_from_node = (far * node.parent_from_node.matrix()).into();
         }
     }
     scene

@@ -71,7 +71,7 @@ impl PyStage {
                 node: NodeId(0),
                 mesh: MeshId(mesh),
                 section: 0,
-                world_from_mesh: Arc::new(world_from_mesh),
+                world_from_mesh: world_from_mesh.into(),
             });
         }
         py.detach(|| self.renderer().show_objects(objects));

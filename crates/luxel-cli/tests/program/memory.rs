@@ -139,6 +139,7 @@ fn hundreds_of_thousands_of_instances_side_by_side_take_ten_times_their_file() {
     let text = document(&(0..200_000).map(node).collect::<Vec<_>>());
     folder.write("grid.gltf", &text);
     read_within_bounds(&folder, "grid.gltf", text.len());
+    traced_within_bounds(&folder, "grid.gltf", text.len());
 }
 
 /// The trees that shadows need, in bytes, by the message of a run that may not take them.

@@ -12,9 +12,10 @@ use crate::warnings::Warnings;
 use crate::{Error, Place};
 use glam::{DMat4, DVec3};
 use luxel_gltf::{Index, Node as FileNode};
-use luxel_scene::{MeshId, Name, Node, NodeId, Placement, Scene, SceneCamera, SceneLight};
+use luxel_scene::{
+    MeshId, Name, Node, NodeId, Placement, Scene, SceneCamera, SceneLight, SharedMatrix,
+};
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// Builds the scene that the document shows.
 pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Scene, Error> {
@@ -37,7 +38,7 @@ pub(crate) fn build(buffers: &Buffers<'_>, warnings: &mut Warnings) -> Result<Sc
         let file_node = &document.nodes[shown.node as usize];
         builder.scene.nodes.push(Node {
             parent: shown.parent.map(NodeId),
-            parent_from_node: Arc::clone(&tree.parent_from_nodes[shown.node as usize]),
+            parent_from_node: tree.parent_from_nodes[shown.node as usize].clone(),
             ..Node::root(name(buffers, file_node, shown.node), None)
         });
     }
@@ -189,7 +190,7 @@ impl Builder<'_, '_> {
         for (place, (&joint, bind)) in skin.joints.iter().zip(&inverse_bind).enumerate() {
             let pointer = || format!("/skins/{number}/joints/{place}");
             item(&document.nodes, joint, "node", &pointer)?;
-            let world_from_joint = *self.tree.world_from_node(joint);
+            let world_from_joint = self.tree.world_from_node(joint);
             let joint_from_mesh = DMat4::from_cols_array(bind);
             matrices.push(node_from_world * (world_from_joint * joint_from_mesh));
         }
@@ -199,9 +200,11 @@ impl Builder<'_, '_> {
     /// Instances of a mesh below a node, one per transform.
     fn add_instances(&mut self, parent: NodeId, mesh: MeshId, places: &[DMat4]) {
         let name = self.scene.nodes[parent.index()].name.clone();
-        let nodes = places.iter().enumerate().map(|(number, &parent_from_node)| {
+        let mut last = SharedMatrix::default();
+        let nodes = places.iter().enumerate().map(|(number, parent_from_node)| {
             let name = format!("{name}_{number}");
-            Node::root(name, Some(mesh)).at(Some(parent), parent_from_node)
+            last = SharedMatrix::sharing(parent_from_node, &last);
+            Node::root(name, Some(mesh)).at(Some(parent), last.clone())
         });
         self.scene.nodes.extend(nodes);
     }

@@ -5,15 +5,15 @@ use crate::warnings::Warnings;
 use crate::{Error, ErrorKind, Limits, Place};
 use glam::{DMat4, DQuat, DVec3};
 use luxel_gltf::{Document, Index, MoreOfNode, Node};
-use std::sync::Arc;
+use luxel_scene::SharedMatrix;
 
 /// The document's nodes, checked: each has one parent at most, and none is its own ancestor.
 #[derive(Debug)]
 pub(crate) struct Tree {
     /// Each node's transform to the world; none where all nodes are roots.
-    world_from_nodes: Vec<Arc<DMat4>>,
-    /// Each node's transform to its parent; nodes without one share the identity.
-    pub(crate) parent_from_nodes: Vec<Arc<DMat4>>,
+    world_from_nodes: Vec<SharedMatrix>,
+    /// Each node's transform to its parent.
+    pub(crate) parent_from_nodes: Vec<SharedMatrix>,
     /// The nodes of the shown scene, parents before children.
     pub(crate) shown: Vec<Shown>,
 }
@@ -41,10 +41,10 @@ impl Tree {
             parents[root as usize] = None;
         }
         let nodes = document.nodes.iter().enumerate();
-        let identity = Arc::new(DMat4::IDENTITY);
+        let mut last = SharedMatrix::default();
         let shared = |(index, node)| {
-            let placement = placement(node, index, warnings);
-            if placement == *identity { Arc::clone(&identity) } else { Arc::new(placement) }
+            last = SharedMatrix::sharing(&placement(node, index, warnings), &last);
+            last.clone()
         };
         let parent_from_nodes: Vec<_> = nodes.map(shared).collect();
         let is_flat = parents.iter().all(Option::is_none);
@@ -52,8 +52,8 @@ impl Tree {
         for node in order {
             if let Some(parent) = parents[node as usize] {
                 let node = node as usize;
-                let parent = &world_from_nodes[parent as usize];
-                world_from_nodes[node] = Arc::new(**parent * *parent_from_nodes[node]);
+                let parent = world_from_nodes[parent as usize].matrix();
+                world_from_nodes[node] = (parent * parent_from_nodes[node].matrix()).into();
             }
         }
         let shown = walk(document, &roots, &parents);
@@ -68,9 +68,9 @@ impl Tree {
     }
 
     /// A node's transform to the world; a root's is that to its parent.
-    pub(crate) fn world_from_node(&self, node: Index) -> &DMat4 {
+    pub(crate) fn world_from_node(&self, node: Index) -> DMat4 {
         let node = node as usize;
-        self.world_from_nodes.get(node).unwrap_or_else(|| &self.parent_from_nodes[node])
+        self.world_from_nodes.get(node).unwrap_or_else(|| &self.parent_from_nodes[node]).matrix()
     }
 }
 

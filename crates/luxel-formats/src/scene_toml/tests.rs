@@ -134,7 +134,8 @@ fn each_model_gets_its_own_node_in_order() {
     let small = scene.path(objects[4].node);
     assert_eq!(small, ["teapot", "teapot", "lid", "small", "teapot", "body"]);
     assert_eq!(objects[0].mesh, objects[4].mesh, "a model used twice is read once");
-    let placed = *objects[4].world_from_mesh * objects[0].world_from_mesh.inverse();
+    let placed =
+        objects[4].world_from_mesh.matrix() * objects[0].world_from_mesh.matrix().inverse();
     // Scale, then rotate, then translate: (1, 0, 0) becomes (0, 0.5, 0), then moves.
     let at = placed.transform_point3(DVec3::X);
     assert!(at.abs_diff_eq(DVec3::new(1.0, 2.5, 3.0), 1e-12), "{at}");
@@ -149,7 +150,7 @@ fn a_matrix_is_read_column_by_column() {
     let expected = DMat4::from_translation(DVec3::new(5.0, 6.0, 7.0))
         * DMat4::from_rotation_z(std::f64::consts::FRAC_PI_2)
         * DMat4::from_scale(DVec3::splat(2.0));
-    assert!(scene.nodes[0].parent_from_node.abs_diff_eq(expected, 1e-12));
+    assert!(scene.nodes[0].parent_from_node.matrix().abs_diff_eq(expected, 1e-12));
 }
 
 #[test]

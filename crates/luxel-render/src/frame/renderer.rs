@@ -40,7 +40,7 @@ const MAX_LAYERS: usize = 1024;
 /// A scene ready to be drawn. It shares the scene: a program can keep both.
 pub struct Renderer {
     scene: Arc<Scene>,
-    objects: Vec<Object>,
+    objects: Arc<Vec<Object>>,
     /// Those of the objects.
     ranks: Memo<CoplanarRanks>,
     /// The clusters of each mesh.
@@ -75,7 +75,7 @@ impl Renderer {
         luxel_parallel::install(pool.as_ref(), || scene.check())?;
         let frames = if execution.one_frame { Frames::One } else { Frames::Many };
         let mut renderer = Self {
-            objects: scene.objects(),
+            objects: scene.objects().into(),
             ranks: Memo::new(),
             clusters: Vec::new(),
             polygons_of_meshes: scene.meshes.iter().map(|_| Memo::new()).collect(),
@@ -128,7 +128,7 @@ impl Renderer {
     /// # Panics
     /// When drawing, if the scene lacks a mesh.
     pub fn show_objects(&mut self, objects: Vec<Object>) {
-        self.objects = objects;
+        self.objects = objects.into();
         self.kept_trees = Mutex::new(self.take_trees());
         self.ranks = Memo::new();
         self.bounds = Memo::new();
@@ -314,6 +314,10 @@ impl Renderer {
         self.install(|| {
             let rules = frame_setup::surface_rules(view, covers);
             let ranks = self.ranks.get_or_compute(|| CoplanarRanks::of(&self.scene, &self.objects));
+            if view.shadows || view.ambient_occlusion.is_some() || view.ground {
+                // Before the lists of the frame: building trees takes more memory for a while than they do.
+                self.rays()?;
+            }
             let objects = (&self.objects[..], ranks);
             let placed = PlacedScene::new(&self.scene, objects, &view.camera, view.size, &rules);
             let frame = placed.frame(&self.clusters, samples, self.level)?;
@@ -328,13 +332,14 @@ impl Renderer {
             let flags_of_meshes = luxel_parallel::gather(meshes.len(), 1, &|run, flags| {
                 flags.extend(meshes[run].iter().map(EdgeFlags::new));
             });
-            let mut edge_flags: Vec<Option<&EdgeFlags>> = vec![None; placed.instances().len()];
-            for (flags, instance) in edge_flags.iter_mut().zip(placed.instances()) {
-                if instance.strokes.is_none() {
-                    let mesh = self.objects[instance.objects.start].mesh;
-                    *flags = flags_of_meshes.get(mesh.index());
-                }
-            }
+            let flags_of = |instance: &PlacedInstance| {
+                let mesh = self.objects[instance.first_object()].mesh;
+                flags_of_meshes.get(mesh.index()).filter(|_| instance.strokes.is_none())
+            };
+            let edge_flags: Vec<Option<&EdgeFlags>> = match view.edges {
+                Some(_) => placed.instances().iter().map(flags_of).collect(),
+                None => Vec::new(),
+            };
             let ambient = frame_setup::ambient(view);
             let fog = view.fog.as_ref();
             let environments = self.environments(view);
@@ -435,7 +440,7 @@ impl Renderer {
         let Shading { mode, interpolation, .. } = view.shading;
         let whole = mode == ShadingMode::Flat || interpolation == Interpolation::Scanline;
         let of = |instance: &PlacedInstance| {
-            let mesh = self.objects[instance.objects.start].mesh.index();
+            let mesh = self.objects[instance.first_object()].mesh.index();
             let made = || Box::new(Polygons::new(&self.scene.meshes[mesh]));
             let is_whole = whole && instance.strokes.is_none();
             is_whole.then(|| &**self.polygons_of_meshes[mesh].get_or_compute(made))

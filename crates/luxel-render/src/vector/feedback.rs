@@ -90,11 +90,11 @@ impl<'a> Stream<'a> {
             (0..).zip(placed.instances()).partition(|(_, of)| of.strokes.is_none());
         for (instance, of) in faces {
             let mesh = frame.instances()[instance].mesh;
-            for object in of.objects.clone() {
+            for object in of.objects() {
                 take(&Feedback::PassThrough(object as f32));
                 let section = mesh.range_of(placed.objects()[object].section);
                 self.triangles(instance, &section.triangles, take);
-                for (stroke, _) in strokes.iter().filter(|(_, of)| of.objects.start == object) {
+                for (stroke, _) in strokes.iter().filter(|(_, of)| of.first_object() == object) {
                     self.strokes(*stroke, &mesh.points, take);
                 }
             }

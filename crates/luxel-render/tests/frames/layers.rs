@@ -157,8 +157,9 @@ fn objects_are_drawn_where_they_were_moved() {
     let untouched = objects(&renderer);
     moved.remove(0);
     for object in &mut moved {
-        object.world_from_mesh =
-            (DMat4::from_translation(DVec3::new(-1.0, 0.0, 0.0)) * *object.world_from_mesh).into();
+        object.world_from_mesh = (DMat4::from_translation(DVec3::new(-1.0, 0.0, 0.0))
+            * object.world_from_mesh.matrix())
+        .into();
     }
     // The near square, then the far one in two places.
     let far = renderer.objects()[0].clone();

@@ -45,7 +45,7 @@ fn nodes_form_a_tree_under_one_root_with_the_demos_name() {
             // Parents stand before their children, so there is no cycle.
             assert!(node.parent.is_none_or(|parent| parent.index() < index), "{name}");
             assert!(node.mesh.is_none_or(|mesh| mesh.index() < scene.meshes.len()), "{name}");
-            assert!(node.parent_from_node.is_finite(), "{name}");
+            assert!(node.parent_from_node.matrix().is_finite(), "{name}");
             assert_eq!(scene.path(NodeId(index as u32))[0], name);
         }
         let mut paths: Vec<_> =
@@ -81,7 +81,7 @@ fn things_of_the_plane_stand_on_the_ground_and_on_each_other() {
         let objects = scene.objects();
         let object = objects.iter().find(|object| scene.nodes[object.node.index()].name == name);
         let object = object.unwrap_or_else(|| panic!("no {name}"));
-        scene.meshes[object.mesh.index()].bounds(&object.world_from_mesh)
+        scene.meshes[object.mesh.index()].bounds(&object.world_from_mesh.matrix())
     };
     for name in ["body", "column", "cube", "sphere", "cone"] {
         let bounds = bounds_of(name);
@@ -102,7 +102,7 @@ fn faces_of_the_room_look_into_it() {
     for object in scene.objects() {
         let mesh = &scene.meshes[object.mesh.index()];
         let in_room = scene.path(object.node).contains(&"room");
-        let middle = mesh.bounds(&object.world_from_mesh).centre();
+        let middle = mesh.bounds(&object.world_from_mesh.matrix()).centre();
         let inside = if in_room { centre } else { middle };
         for (triangle, corners) in mesh.triangles.iter().enumerate() {
             let [a, b, c] = corners.map(|index| mesh.position(index));

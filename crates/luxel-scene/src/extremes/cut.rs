@@ -52,8 +52,9 @@ pub(super) struct Cut {
 impl Cut {
     pub(super) fn new(measure: &impl Measure, best: f64, object: &Object<'_>) -> Self {
         let HalfSpace { normal, constant, magnitude } = measure.half_space(best);
+        let target_from_mesh = object.target_from_mesh.matrix();
         let [x, y, z, translation] =
-            [0, 1, 2, 3].map(|column| object.target_from_mesh.col(column).truncate());
+            [0, 1, 2, 3].map(|column| target_from_mesh.col(column).truncate());
         let in_mesh = DVec3::new(normal.dot(x), normal.dot(y), normal.dot(z));
         let constant = constant + normal.dot(translation) + in_mesh.dot(object.mesh.origin);
         let magnitude = magnitude + normal.abs().dot(object.magnitudes);

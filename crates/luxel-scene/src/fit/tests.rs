@@ -26,7 +26,7 @@ fn filled(scene: &Scene, camera: &Camera, size: Size) -> [f64; 4] {
     for object in scene.objects() {
         let mesh = &scene.meshes[object.mesh.index()];
         for &index in mesh.triangles.as_flattened() {
-            let world = object.world_from_mesh.transform_point3(mesh.position(index));
+            let world = object.world_from_mesh.matrix().transform_point3(mesh.position(index));
             let clip: DVec4 = clip_from_world * world.extend(1.0);
             assert!(clip.w > 0.0 && clip.z.abs() <= clip.w, "clipped: {clip}");
             let [x, y] = [clip.x / clip.w, clip.y / clip.w];

@@ -27,7 +27,7 @@ fn bounds(points: &[DVec3]) -> Bounds {
 }
 
 fn world_bounds(scene: &Scene) -> Bounds {
-    bounds(&points(scene, |object| *object.world_from_mesh))
+    bounds(&points(scene, |object| object.world_from_mesh.matrix()))
 }
 
 fn highest<const N: usize>(
@@ -48,7 +48,7 @@ fn highest<const N: usize>(
 /// [`fit_along`] by walks over all points.
 fn walked(scene: &Scene, axes: [DVec3; 3], lens: Lens, size: Size) -> Camera {
     let picture_from_world = picture_from_world(axes);
-    let points = points(scene, |object| picture_from_world * *object.world_from_mesh);
+    let points = points(scene, |object| picture_from_world * object.world_from_mesh.matrix());
     let bounds = bounds(&points);
     let (eye, lens) = if bounds.is_empty() || !is_measurable(&bounds) {
         (DVec3::Z, lens)

@@ -152,7 +152,7 @@ fn boxes(scene: &GuideScene<'_>, theme: &Theme, lines: &mut Vec<Line>) {
         let is_selected = scene.selection.selected().contains(&at);
         let (color, opacity) = if is_selected { (theme.accent, 1.0) } else { (theme.quiet, 0.8) };
         let corners =
-            bounds.corners().map(|corner| object.world_from_mesh.transform_point3(corner));
+            bounds.corners().map(|corner| object.world_from_mesh.matrix().transform_point3(corner));
         for from in 0..8_usize {
             for axis in 0..3 {
                 let to = from | 1 << axis;
@@ -176,7 +176,7 @@ fn normals(scene: &GuideScene<'_>, theme: &Theme, lines: &mut Vec<Line>) {
     let every = count.div_ceil(MAX_NORMALS).max(1);
     let length = diagonal(&scene.bounds) * NORMAL_LENGTH;
     for at in &shown {
-        let (mesh, world_from_mesh) = (mesh_of(at), *scene.objects[*at].world_from_mesh);
+        let (mesh, world_from_mesh) = (mesh_of(at), scene.objects[*at].world_from_mesh.matrix());
         // The inverse transpose keeps normals perpendicular under non-uniform scaling.
         let turned = DMat3::from_mat4(world_from_mesh).inverse().transpose();
         for (place, normal) in normal_positions(mesh).into_iter().step_by(every) {

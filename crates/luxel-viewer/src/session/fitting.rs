@@ -132,7 +132,7 @@ mod tests {
             let mesh = &session.model.scene.meshes[object.mesh.index()];
             for position in &mesh.positions {
                 let local = mesh.origin + DVec3::from(position.map(f64::from));
-                let point = object.world_from_mesh.transform_point3(local);
+                let point = object.world_from_mesh.matrix().transform_point3(local);
                 let at = project_point(&camera, WINDOW, point).unwrap();
                 (low, high) = (low.min(at), high.max(at));
             }

@@ -221,7 +221,7 @@ impl Session {
     /// An object's bounds in world space.
     pub(crate) fn bounds(&self, object: usize) -> Bounds {
         self.objects.get(object).map_or(Bounds::EMPTY, |object| {
-            self.model.scene.meshes.bounds_of(object.mesh, &object.world_from_mesh)
+            self.model.scene.meshes.bounds_of(object.mesh, &object.world_from_mesh.matrix())
         })
     }
 

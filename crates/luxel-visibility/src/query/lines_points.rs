@@ -42,7 +42,7 @@ pub fn strokes(
         if source.points.is_empty() && source.lines.is_empty() {
             continue;
         }
-        let view_from_mesh = camera.view_from_world * *object.world_from_mesh;
+        let view_from_mesh = camera.view_from_world * object.world_from_mesh.matrix();
         let mut builder = Builder {
             lens: &lens,
             half_point: f64::from(point_size) * 0.5,

@@ -48,7 +48,9 @@ pub(crate) fn triangles(scene: &Scene) -> Vec<Facet> {
         (0..)
             .zip(&mesh.triangles)
             .map(move |(triangle, corners)| {
-                let place = |vertex| object.world_from_mesh.transform_point3(mesh.position(vertex));
+                let place = |vertex| {
+                    object.world_from_mesh.matrix().transform_point3(mesh.position(vertex))
+                };
                 Facet::new(number, triangle, corners.map(place))
             })
             .collect::<Vec<_>>()

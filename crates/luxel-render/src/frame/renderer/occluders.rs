@@ -46,10 +46,10 @@ impl Renderer {
     }
 
     /// The trees of what is drawn.
-    fn rays(&self) -> Result<&SceneRays, RenderError> {
+    pub(super) fn rays(&self) -> Result<&SceneRays, RenderError> {
         let build = || {
             self.check_memory()?;
-            let (scene, objects) = (Arc::clone(&self.scene), self.objects.clone());
+            let (scene, objects) = (Arc::clone(&self.scene), Arc::clone(&self.objects));
             let kept = self.kept_trees.lock().ok().and_then(|mut kept| kept.take());
             let rays = match kept {
                 Some(trees) => SceneRays::with_trees(trees, scene, objects, self.level),

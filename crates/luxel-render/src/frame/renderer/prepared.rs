@@ -15,7 +15,7 @@ pub struct Prepared {
     /// Of each mesh: how many triangles it has, and what was made of them.
     meshes: Vec<(usize, Clusters, Memo<Box<Polygons>>)>,
     /// The objects, and their ranks, if a view has needed them.
-    ranks: (Vec<Object>, Memo<CoplanarRanks>),
+    ranks: (Arc<Vec<Object>>, Memo<CoplanarRanks>),
     /// The trees of all meshes, if a view has needed them.
     trees: Option<MeshTrees>,
     max_memory: u64,
@@ -58,7 +58,7 @@ impl Renderer {
         let scene = scene.into();
         let Prepared { meshes, ranks, trees, max_memory, level, pool, clock } = prepared;
         let mut renderer = Self {
-            objects: scene.objects(),
+            objects: scene.objects().into(),
             ranks: Memo::new(),
             clusters: Vec::new(),
             polygons_of_meshes: Vec::new(),
