@@ -1,11 +1,12 @@
 //! A part of a picture: only the tiles that it touches are drawn.
 
 use super::error::RenderError;
+use super::finished_tile::{FinishTile, Pixels};
 use super::picture::Picture;
 use super::renderer::Renderer;
 use super::tiles::TilePixels;
 use crate::context::Heard;
-use crate::resolve::Bytes;
+use crate::resolve::{Bytes, Finish, empty_pixel};
 use luxel_scene::Size;
 use luxel_view::View;
 use luxel_visibility::CoveragePolicy;
@@ -37,6 +38,7 @@ impl Renderer {
         self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, cutouts| {
             let mut worker = self.worker(scene.frame.samples());
             let finish = Bytes(view.encoding);
+            let background = finish.pixel(empty_pixel(scene));
             let mut drawn: Box<TilePixels<_>> = Box::new([[0; 4]; (TILE * TILE) as usize]);
             let tile = TILE as usize;
             let [across, _] = scene.frame.tiles();
@@ -48,7 +50,8 @@ impl Renderer {
             for row in top / tile..=(top + high - 1) / tile {
                 for column in left / tile..=(left + wide - 1) / tile {
                     let number = row * across + column;
-                    self.draw_tile(scene, cutouts, number, &mut worker, &finish, &mut drawn);
+                    let mut kept = finish.tile(Pixels { pixels: &mut drawn, background });
+                    self.draw_tile(scene, cutouts, number, &mut worker, &mut kept);
                     // The columns and rows of the picture that the tile and the part share.
                     let columns = left.max(column * tile)..(left + wide).min((column + 1) * tile);
                     for y in top.max(row * tile)..(top + high).min((row + 1) * tile) {

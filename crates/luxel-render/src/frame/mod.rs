@@ -2,6 +2,7 @@
 
 mod crop;
 mod error;
+mod finished_tile;
 mod frame_setup;
 mod picture;
 mod renderer;
@@ -17,6 +18,8 @@ pub use tile_drawing::TileDrawing;
 
 pub(crate) use frame_setup::{ambient, placed_lights};
 pub(crate) use renderer::lights_with_terms;
-pub(crate) use tile_shading::{AHEAD, ALL_BLOCKS, Worker, look_ahead, place_in_tile, put_block};
-pub(crate) use tiles::{Bands, NEVER, TilePixels, TileWork, for_tiles, unless_stopped};
+pub(crate) use tile_shading::{AHEAD, ALL_BLOCKS, Worker, look_ahead};
+pub(crate) use tiles::{
+    Bands, NEVER, TilePixels, TileWork, for_tiles, place_in_tile, put_block, unless_stopped,
+};
 pub(crate) use workers::BusyWorker;

@@ -4,18 +4,19 @@ mod occluders;
 mod prepared;
 
 use super::error::{MAX_SIDE, RenderError};
+use super::finished_tile::{FinishTile, FinishedTile};
 use super::frame_setup;
 use super::picture::{Picture, Stages};
 use super::tile_drawing::TileDrawing;
 use super::tile_shading::{Worker, add_layer, tile_pixels};
-use super::tiles::{NEVER, TilePixels, unless_stopped};
+use super::tiles::{NEVER, unless_stopped};
 use super::workers::{BusyWorker, Workers};
 use crate::backdrop::{Around, Backdrop, Ground};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::execution::Execution;
 use crate::polygons::Polygons;
-use crate::resolve::{Bytes, Finish, Linear};
+use crate::resolve::{Bytes, Linear};
 use crate::shade::is_studied;
 use crate::subdivision::SubdividedTriangles;
 use luxel_lighting::{Environment, LightKind, LightingEnvironment};
@@ -207,7 +208,7 @@ impl Renderer {
     }
 
     /// Draws a view, each block turned into what is kept of its pixels while it is in registers.
-    fn draw<F: Finish>(
+    fn draw<F: FinishTile>(
         &self,
         view: &View,
         finish: &F,
@@ -225,20 +226,19 @@ impl Renderer {
     }
 
     /// Draws one tile; the time at which it was known what is seen.
-    pub(crate) fn draw_tile<F: Finish>(
+    pub(crate) fn draw_tile(
         &self,
         scene: &ShadingContext<'_>,
         cutouts: &AlphaTest<'_>,
         number: usize,
         worker: &mut Worker,
-        finish: &F,
-        pixels: &mut TilePixels<F::Pixel>,
+        pixels: &mut FinishedTile<'_>,
     ) -> Duration {
         let holes = cutouts.finder(scene.frame, self.level());
         scene.frame.draw_opaque(self.level, number, &holes, &mut worker.opaque);
         let layered = self.peel(scene, number, &holes, worker, &mut |_| {});
         let visible = (self.clock)();
-        dispatch_long!(self.level, simd => tile_pixels(simd, scene, worker, layered, finish, pixels));
+        dispatch_long!(self.level, simd => tile_pixels(simd, scene, worker, layered, pixels));
         visible
     }
 

@@ -1,13 +1,14 @@
 //! Pictures tile by tile: all tiles of a view, or those of a set.
 
 use super::error::RenderError;
+use super::finished_tile::{FinishTile, Pixels};
 use super::picture::{Picture, Stages, Subdivision};
 use super::renderer::Renderer;
 use super::tiles::{Bands, NEVER, TilePixels, TileWork, for_tiles};
 use super::workers::BusyWorker;
 use crate::context::{Heard, ShadingContext};
 use crate::coverage::AlphaTest;
-use crate::resolve::{Bytes, Finish, empty_pixel};
+use crate::resolve::{Bytes, empty_pixel};
 use luxel_view::View;
 use luxel_visibility::{CoveragePolicy, TILE};
 use std::ops::Range;
@@ -105,7 +106,7 @@ impl<'d> TileDrawing<'d> {
     }
 
     /// Draws the tiles of a set, each block finished while it is in registers, until `stop` is set.
-    pub(super) fn draw<F: Finish>(
+    pub(super) fn draw<F: FinishTile>(
         &self,
         finish: &F,
         set: &(dyn Fn(usize) -> bool + Sync),
@@ -144,7 +145,7 @@ fn new_tile<T: Copy + Default>() -> Box<TilePixels<T>> {
 }
 
 /// The drawing of a picture, tile by tile.
-struct Drawing<'d, F: Finish> {
+struct Drawing<'d, F: FinishTile> {
     renderer: &'d Renderer,
     scene: &'d ShadingContext<'d>,
     alpha_test: &'d AlphaTest<'d>,
@@ -157,11 +158,12 @@ struct Drawing<'d, F: Finish> {
 /// What one thread draws with: its worker, and the pixels of a tile.
 type Painter<'w, T> = (BusyWorker<'w>, Box<TilePixels<T>>);
 
-impl<'w, F: Finish> TileWork<Painter<'w, F::Pixel>> for Drawing<'_, F> {
+impl<'w, F: FinishTile> TileWork<Painter<'w, F::Pixel>> for Drawing<'_, F> {
     fn draw(&self, (worker, pixels): &mut Painter<'w, F::Pixel>, tile: usize) {
         let Self { renderer, scene, alpha_test, finish, .. } = *self;
         let begin = renderer.now();
-        let visible = renderer.draw_tile(scene, alpha_test, tile, worker, finish, pixels);
+        let mut kept = finish.tile(Pixels { pixels, background: self.background });
+        let visible = renderer.draw_tile(scene, alpha_test, tile, worker, &mut kept);
         let end = renderer.now();
         if let Ok(mut sums) = self.sums.lock() {
             sums.visibility += visible - begin;

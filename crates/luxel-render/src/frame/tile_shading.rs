@@ -1,27 +1,16 @@
 //! What one thread does to a tile: it shades the blocks, and writes their pixels.
 
-use super::tiles::TilePixels;
+use super::finished_tile::FinishedTile;
 use crate::context::ShadingContext;
 use crate::interpolate::{SHARED, nearest_sample};
 use crate::resolve::{
-    DistinctTriangles, Finish, LaneCompaction, Layered, empty_block, empty_pixel, even_block,
-    even_blocks, single_triangle, uneven_block,
+    DistinctTriangles, LaneCompaction, Layered, empty_block, even_block, even_blocks,
+    single_triangle, uneven_block,
 };
 use crate::shade::ThreadCache;
 use crate::shadow::BATCHES;
-use luxel_math::{LANES, Simd, f32x16, prelude::*, u32x16};
-use luxel_visibility::{BLOCK, BLOCKS, MAX_SAMPLES, Samples, TILE, Tile, TriangleId};
-
-/// Writes a block's pixels among the rows of its tile.
-#[inline(always)]
-pub(crate) fn put_block<T: Copy>(pixels: &mut TilePixels<T>, block: usize, values: &[T; LANES]) {
-    const WIDTH: usize = BLOCK as usize;
-    let first = place_in_tile(block, 0);
-    for (row, values) in values.as_chunks::<WIDTH>().0.iter().enumerate() {
-        let start = first + row * TILE as usize;
-        pixels[start..start + WIDTH].copy_from_slice(values);
-    }
-}
+use luxel_math::{Simd, f32x16, prelude::*, u32x16};
+use luxel_visibility::{BLOCKS, MAX_SAMPLES, Samples, Tile, TriangleId};
 
 /// What one thread keeps from tile to tile.
 pub(crate) struct Worker {
@@ -180,24 +169,21 @@ fn sees_all<S: Simd>(simd: S, tile: &Tile, block: usize) -> bool {
 
 /// Lights all blocks of a tile, and finishes their pixels.
 #[inline(always)]
-pub(crate) fn tile_pixels<S: Simd, F: Finish>(
+pub(crate) fn tile_pixels<S: Simd>(
     simd: S,
     scene: &ShadingContext<'_>,
     worker: &mut Worker,
     has_layers: bool,
-    finish: &F,
-    pixels: &mut TilePixels<F::Pixel>,
+    pixels: &mut FinishedTile<'_>,
 ) {
     let Worker { opaque, layered, compaction, cache, .. } = worker;
-    let background = [finish.pixel(empty_pixel(scene)); LANES];
     let within = nearest_sample(scene.frame.samples());
     let is_flat = scene.backdrop.is_none();
     let has_pairs = scene.shadows.is_some() && !has_layers;
     for first in (0..ALL_BLOCKS).step_by(AHEAD) {
         let ahead = look_ahead(simd, scene, opaque, first, cache);
         if is_flat && !has_layers && ahead.are_empty() {
-            // Rows of blocks are rows of pixels: sixteen to a block.
-            pixels[first * LANES..(first + AHEAD) * LANES].fill(background[0]);
+            pixels.fill_rows(first..first + AHEAD);
             continue;
         }
         let mut waiting = None;
@@ -212,7 +198,7 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
                 let block = first + number;
                 let is_empty = is_flat && ahead.is_empty(number);
                 if is_empty && !(has_layers && layered.is_touched(block)) {
-                    put_block(pixels, block, &background);
+                    pixels.put_background(block);
                     continue;
                 }
                 let distinct = &ahead.distinct[number];
@@ -241,7 +227,7 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
                 if has_layers && layered.is_touched(block) {
                     color = layered.finish_block(simd, scene, opaque, block, cache, color);
                 }
-                put_block(pixels, block, &finish.block(simd, color));
+                pixels.put(simd, block, color);
             }
         }
         compaction.finish(
@@ -254,16 +240,8 @@ pub(crate) fn tile_pixels<S: Simd, F: Finish>(
                 if has_layers && layered.is_touched(block) {
                     color = layered.finish_block(simd, scene, opaque, block, cache, color);
                 }
-                put_block(pixels, block, &finish.block(simd, color));
+                pixels.put(simd, block, color);
             },
         );
     }
-}
-
-/// Where a block's lane lies among the rows of its tile.
-#[inline(always)]
-pub(crate) fn place_in_tile(block: usize, lane: usize) -> usize {
-    const SIDE: usize = BLOCK as usize;
-    let (row, column) = (block / BLOCKS as usize, block % BLOCKS as usize);
-    (row * SIDE + lane / SIDE) * TILE as usize + column * SIDE + lane % SIDE
 }

@@ -1,8 +1,9 @@
 //! Tiles into a picture: shared out among threads, the costliest first, and put together.
 
 use super::error::RenderError;
+use luxel_math::LANES;
 use luxel_scene::Size;
-use luxel_visibility::{Frame, TILE};
+use luxel_visibility::{BLOCK, BLOCKS, Frame, TILE};
 use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -22,6 +23,25 @@ pub(crate) fn unless_stopped(stop: &AtomicBool) -> Result<(), RenderError> {
 
 /// The pixels of a tile, row by row.
 pub(crate) type TilePixels<T> = [T; SIDE * SIDE];
+
+/// Writes a block's pixels among the rows of its tile.
+#[inline(always)]
+pub(crate) fn put_block<T: Copy>(pixels: &mut TilePixels<T>, block: usize, values: &[T; LANES]) {
+    const WIDTH: usize = BLOCK as usize;
+    let first = place_in_tile(block, 0);
+    for (row, values) in values.as_chunks::<WIDTH>().0.iter().enumerate() {
+        let start = first + row * SIDE;
+        pixels[start..start + WIDTH].copy_from_slice(values);
+    }
+}
+
+/// Where a block's lane lies among the rows of its tile.
+#[inline(always)]
+pub(crate) fn place_in_tile(block: usize, lane: usize) -> usize {
+    const WIDTH: usize = BLOCK as usize;
+    let (row, column) = (block / BLOCKS as usize, block % BLOCKS as usize);
+    (row * WIDTH + lane / WIDTH) * SIDE + column * WIDTH + lane % WIDTH
+}
 
 /// A plane of values in bands, each a row of tiles, which is locked only while something finished is
 /// copied into it. Its values are `channels` to a pixel.
