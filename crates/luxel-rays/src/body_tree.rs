@@ -65,8 +65,8 @@ impl Placement {
         Self { world_from_tree, tree_from_world }
     }
 
-    /// Whether its matrix is the object's own.
-    pub(crate) fn is_of(&self, object: &Object) -> bool {
+    /// Whether it keeps no matrix of its own, but the object's.
+    pub(crate) fn shares_matrix_of(&self, object: &Object) -> bool {
         self.world_from_tree.is_copy_of(&object.world_from_mesh)
     }
 

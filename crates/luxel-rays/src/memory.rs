@@ -26,7 +26,8 @@ impl SceneRays {
         let of_body = |object: &Object, triangles: usize, positions: usize| {
             let mesh = &scene.meshes[object.mesh.index()];
             let placement = Placement::of(mesh, object);
-            let of_matrix = if placement.is_of(object) { 0 } else { SharedMatrix::BYTES };
+            let of_matrix =
+                if placement.shares_matrix_of(object) { 0 } else { SharedMatrix::BYTES };
             let placed = (size_of::<PlacedTree>() + SharedAxes::BYTES + of_matrix) as u64 + 80;
             if !placement.is_baked() {
                 return placed;

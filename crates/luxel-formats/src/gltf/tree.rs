@@ -52,8 +52,9 @@ impl Tree {
         for node in order {
             if let Some(parent) = parents[node as usize] {
                 let node = node as usize;
-                let parent = world_from_nodes[parent as usize].matrix();
-                world_from_nodes[node] = (parent * parent_from_nodes[node].matrix()).into();
+                let parent = &world_from_nodes[parent as usize];
+                let world_from_node = parent.matrix() * parent_from_nodes[node].matrix();
+                world_from_nodes[node] = SharedMatrix::sharing(&world_from_node, parent);
             }
         }
         let shown = walk(document, &roots, &parents);

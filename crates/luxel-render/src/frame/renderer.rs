@@ -314,7 +314,8 @@ impl Renderer {
         self.install(|| {
             let rules = frame_setup::surface_rules(view, covers);
             let ranks = self.ranks.get_or_compute(|| CoplanarRanks::of(&self.scene, &self.objects));
-            if view.shadows || view.ambient_occlusion.is_some() || view.ground {
+            let darkens_surfaces = view.shadows || view.ambient_occlusion.is_some();
+            if darkens_surfaces || view.ground {
                 // Before the lists of the frame: building trees takes more memory for a while than they do.
                 self.rays()?;
             }
@@ -324,7 +325,7 @@ impl Renderer {
             let lights = frame_setup::placed_lights(view, &self.scene);
             let floor = view.ground.then(|| self.floor(view));
             let of_surfaces = (view.shadows, view.ambient_occlusion);
-            let shadows = match view.shadows || view.ambient_occlusion.is_some() {
+            let shadows = match darkens_surfaces {
                 true => Some(self.shadows(view, &frame, (&placed, &lights), of_surfaces, floor)?),
                 false => None,
             };
