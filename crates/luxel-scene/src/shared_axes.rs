@@ -25,11 +25,17 @@ impl SharedAxes {
     /// The same matrix, with the axes of another if these have the same bits.
     #[must_use]
     pub fn sharing(mut self, other: &Self) -> Self {
-        let bits = |axes: &[DVec4; 3]| axes.map(|axis| axis.to_array().map(f64::to_bits));
-        if bits(&self.axes) == bits(&other.axes) {
+        if self.has_axes_of(other) {
             self.axes = Arc::clone(&other.axes);
         }
         self
+    }
+
+    /// Whether its axes have the same bits as another one's.
+    #[must_use]
+    pub fn has_axes_of(&self, other: &Self) -> bool {
+        let bits = |axes: &[DVec4; 3]| axes.map(|axis| axis.to_array().map(f64::to_bits));
+        Arc::ptr_eq(&self.axes, &other.axes) || bits(&self.axes) == bits(&other.axes)
     }
 
     /// Whether both keep their axes in one place.

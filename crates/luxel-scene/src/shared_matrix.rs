@@ -49,6 +49,12 @@ impl SharedMatrix {
         bits(&self.matrix()) == bits(matrix)
     }
 
+    /// Whether it turns and scales as another one: whether their first three columns have the same bits.
+    #[must_use]
+    pub fn has_axes_of(&self, other: &Self) -> bool {
+        self.0.has_axes_of(&other.0)
+    }
+
     /// Whether both are copies of one.
     #[must_use]
     pub fn is_copy_of(&self, other: &Self) -> bool {

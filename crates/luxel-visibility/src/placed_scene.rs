@@ -153,11 +153,11 @@ impl<'s> PlacedScene<'s> {
         for body in bodies(objects) {
             let object = &objects[body.start];
             let mesh = &scene.meshes[object.mesh.index()];
-            let world_from_mesh = object.world_from_mesh.matrix();
-            let mirrored = world_from_mesh.determinant() < 0.0;
+            let world_from_mesh = &object.world_from_mesh;
+            let mirrored = world_from_mesh.matrix().determinant() < 0.0;
             let part_use = |material: usize| rules.part_use(&scene.materials[material], mirrored);
             let view_from_local = ViewFromLocal::new(&view_from_mesh(camera, object), mesh.origin);
-            let space = InstanceSpace::new(&world_from_mesh, view_from_local, &view);
+            let space = InstanceSpace::new(world_from_mesh, view_from_local, &view);
             let parts = mesh.parts.iter().map(|part| part_use(part.material.index())).collect();
             push(body, None, parts, space);
         }
@@ -165,8 +165,8 @@ impl<'s> PlacedScene<'s> {
             let mesh = &strokes.mesh;
             let part = PartUse { coverage: rules.coverage.opaque, ..PartUse::default() };
             let view_from_local = ViewFromLocal::new(&DMat4::IDENTITY, mesh.origin);
-            let world_from_mesh = objects[strokes.object].world_from_mesh.matrix();
-            let space = InstanceSpace::new(&world_from_mesh, view_from_local, &view);
+            let world_from_mesh = &objects[strokes.object].world_from_mesh;
+            let space = InstanceSpace::new(world_from_mesh, view_from_local, &view);
             let parts = mesh.parts.iter().map(|_| part).collect();
             push(strokes.object..strokes.object + 1, Some(number), parts, space);
         }

@@ -99,7 +99,7 @@ impl<'a> Instances<'a> {
         for instance in &list {
             let view_from_local = instance.view_from_local;
             if before.is_none_or(|before| before.view_from_local != view_from_local) {
-                transforms.push(WindowTransform::new(projection, size, &view_from_local.matrix()));
+                transforms.push(&WindowTransform::new(projection, size, &view_from_local.matrix()));
             }
             transform_of.push(transforms.len() as u32 - 1);
             before = Some(instance);

@@ -2,18 +2,20 @@
 
 use crate::types::WindowTransform;
 
-/// Transforms to one window, each followed by those that differ from it by their last column alone: of many copies
-/// of a mesh that are turned and scaled alike.
+/// Transforms to one window, whose middle all have alike. Those that follow one another and differ by their last column
+/// alone, of many copies of a mesh that are turned and scaled alike, share the others.
 pub(super) struct WindowTransforms {
-    /// Transforms that differ from the one before them by more.
-    distinct: Vec<WindowTransform>,
+    /// The first three columns, by rows, of those that differ from the transform before them there.
+    axes: Vec<[[f32; 3]; 4]>,
     places: Vec<WindowPlace>,
+    /// The window's middle.
+    centre: [f32; 2],
 }
 
 /// A transform by what it has of its own.
 struct WindowPlace {
-    /// The transform that it shares the other columns with.
-    like: u32,
+    /// The place of its axes among all.
+    axes: u32,
     /// The last column.
     origin: [f32; 4],
 }
@@ -21,19 +23,23 @@ struct WindowPlace {
 impl WindowTransforms {
     /// None yet, with room for so many.
     pub(super) fn with_capacity(count: usize) -> Self {
-        Self { distinct: Vec::new(), places: Vec::with_capacity(count) }
+        Self { axes: Vec::new(), places: Vec::with_capacity(count), centre: [0.0; 2] }
     }
 
     pub(super) fn shrink_to_fit(&mut self) {
+        self.axes.shrink_to_fit();
         self.places.shrink_to_fit();
     }
 
-    pub(super) fn push(&mut self, transform: WindowTransform) {
-        let origin = transform.rows.map(|row| row[3]);
-        if self.distinct.last().is_none_or(|last| axes(last) != axes(&transform)) {
-            self.distinct.push(transform);
+    pub(super) fn push(&mut self, transform: &WindowTransform) {
+        let WindowTransform { rows, centre } = *transform;
+        let axes = rows.map(|[x, y, z, _]| [x, y, z]);
+        if self.axes.last().is_none_or(|last| bits(last) != bits(&axes)) {
+            self.axes.push(axes);
         }
-        self.places.push(WindowPlace { like: self.distinct.len() as u32 - 1, origin });
+        let origin = rows.map(|row| row[3]);
+        self.places.push(WindowPlace { axes: self.axes.len() as u32 - 1, origin });
+        self.centre = centre;
     }
 
     pub(super) fn len(&self) -> usize {
@@ -42,16 +48,16 @@ impl WindowTransforms {
 
     #[inline]
     pub(super) fn get(&self, number: usize) -> WindowTransform {
-        let WindowPlace { like, origin } = &self.places[number];
-        let mut transform = self.distinct[*like as usize];
-        for (row, origin) in transform.rows.iter_mut().zip(origin) {
-            row[3] = *origin;
-        }
-        transform
+        let WindowPlace { axes, origin } = &self.places[number];
+        let axes = &self.axes[*axes as usize];
+        let row = |row: usize| {
+            let [x, y, z] = axes[row];
+            [x, y, z, origin[row]]
+        };
+        WindowTransform { rows: [row(0), row(1), row(2), row(3)], centre: self.centre }
     }
 }
 
-/// The bits of the first three columns.
-fn axes(transform: &WindowTransform) -> [[u32; 3]; 4] {
-    transform.rows.map(|[x, y, z, _]| [x, y, z].map(f32::to_bits))
+fn bits(axes: &[[f32; 3]; 4]) -> [[u32; 3]; 4] {
+    axes.map(|row| row.map(f32::to_bits))
 }

@@ -5,9 +5,9 @@
 //! computed from is f32.
 
 use crate::types::ViewFromLocal;
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat3, DVec3};
 use luxel_math::{F64Lanes, Lanes, Vec3};
-use luxel_scene::{Camera, Mesh};
+use luxel_scene::{Camera, Mesh, SharedMatrix};
 use std::sync::Arc;
 
 /// How a camera is turned: the same for all instances.
@@ -43,28 +43,27 @@ pub struct InstanceSpace {
 }
 
 /// How an instance is turned and scaled: the same for instances that are moved only.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 struct Orientation {
     /// The camera's.
     view: Arc<ViewSpace>,
-    /// From the mesh's axes to the world's.
-    world_from_mesh: DMat3,
+    /// From the mesh's coordinates to the world's, for one of the instances.
+    world_from_mesh: SharedMatrix,
     /// Rows of [`InstanceSpace::normal_from_mesh`], scaled to a largest entry of 1.
     normals: [[f32; 3]; 3],
     /// -1 where the transform mirrors, else 1.
-    handedness: f64,
+    handedness: f32,
 }
 
 impl InstanceSpace {
     /// The transforms of a mesh in its place before a camera, of which `view` is.
     #[must_use]
     pub fn new(
-        world_from_mesh: &DMat4,
+        world_from_mesh: &SharedMatrix,
         view_from_local: ViewFromLocal,
         view: &Arc<ViewSpace>,
     ) -> Self {
-        let world_from_mesh = DMat3::from_mat4(*world_from_mesh);
-        let (normal_from_mesh, handedness) = normal_from_mesh(&world_from_mesh);
+        let (normal_from_mesh, handedness) = normal_from_mesh(&axes(world_from_mesh));
         let largest =
             normal_from_mesh.to_cols_array().into_iter().fold(0.0, |largest: f64, value| {
                 if value.abs() > largest { value.abs() } else { largest }
@@ -72,7 +71,7 @@ impl InstanceSpace {
         let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
         let orientation = Orientation {
             view: Arc::clone(view),
-            world_from_mesh,
+            world_from_mesh: world_from_mesh.clone(),
             normals: rows(normal_from_mesh * scale),
             handedness,
         };
@@ -81,10 +80,9 @@ impl InstanceSpace {
 
     /// The same, with what another one has alike.
     pub(crate) fn sharing(self, other: &Self) -> Self {
-        let view_from_local = self.view_from_local.sharing(&other.view_from_local);
-        let is_alike = self.orientation.has_axes_of(&other.orientation);
-        let orientation = if is_alike { &other.orientation } else { &self.orientation };
-        Self { view_from_local, orientation: Arc::clone(orientation) }
+        let alike = if self.orientation == other.orientation { other } else { &self };
+        let orientation = Arc::clone(&alike.orientation);
+        Self { view_from_local: self.view_from_local.sharing(&other.view_from_local), orientation }
     }
 
     /// The camera's.
@@ -97,7 +95,7 @@ impl InstanceSpace {
     /// For normals: the inverse transpose of the mesh's transform, up to a positive factor.
     #[must_use]
     pub fn normal_from_mesh(&self) -> DMat3 {
-        normal_from_mesh(&self.orientation.world_from_mesh).0
+        normal_from_mesh(&axes(&self.orientation.world_from_mesh)).0
     }
 
     /// A vector in view space, along the world's axes.
@@ -155,14 +153,14 @@ impl InstanceSpace {
     ) -> [Vec3<D::F32>; 3] {
         let handedness = self.orientation.handedness;
         let by_winding = transformed(&self.view().rotation, face_normal(sides));
-        let by_winding = by_winding * by_winding.x.constant(handedness as f32);
+        let by_winding = by_winding * by_winding.x.constant(handedness);
         let [a, b, c] = match in_mesh {
             Some([a, b, c]) => [self.unit_normal(a), self.unit_normal(b), self.unit_normal(c)],
             None => [by_winding.normalized_or_zero(); 3],
         };
         let zero = a.x.zero();
         let inwards = by_winding.dot(a + b + c).less(zero);
-        let towards_eye = towards_eye * towards_eye.constant(handedness);
+        let towards_eye = towards_eye * towards_eye.constant(handedness.into());
         let (counterclockwise, clockwise) =
             (towards_eye.is_positive(), (-towards_eye).is_positive());
         let from_behind = (inwards & counterclockwise) | (!inwards & clockwise);
@@ -175,28 +173,32 @@ impl InstanceSpace {
     pub fn tangent(&self, mesh: &Mesh, attribute: usize) -> [f32; 4] {
         let Some(&[x, y, z, sign]) = mesh.tangents.get(attribute) else { return [0.0; 4] };
         let Orientation { world_from_mesh, handedness, .. } = &*self.orientation;
-        let tangent = *world_from_mesh * DVec3::new(x.into(), y.into(), z.into());
+        let tangent = axes(world_from_mesh) * DVec3::new(x.into(), y.into(), z.into());
         let [x, y, z] = tangent.normalize_or_zero().as_vec3().to_array();
         [x, y, z, if *handedness < 0.0 { -sign } else { sign }]
     }
 }
 
-impl Orientation {
-    /// Whether another orientation before the same camera has axes with the same bits: the rest follows from these.
-    fn has_axes_of(&self, other: &Self) -> bool {
-        let bits = |axes: &DMat3| axes.to_cols_array().map(f64::to_bits);
-        bits(&self.world_from_mesh) == bits(&other.world_from_mesh)
+impl PartialEq for Orientation {
+    /// Whether both are before one camera, and turned and scaled alike: the rest follows from these.
+    fn eq(&self, other: &Self) -> bool {
+        self.view == other.view && self.world_from_mesh.has_axes_of(&other.world_from_mesh)
     }
 }
 
+/// From the mesh's axes to the world's.
+fn axes(world_from_mesh: &SharedMatrix) -> DMat3 {
+    DMat3::from_mat4(world_from_mesh.matrix())
+}
+
 /// The inverse transpose of a transform, up to a positive factor, and -1 if the transform mirrors, else 1.
-fn normal_from_mesh(linear: &DMat3) -> (DMat3, f64) {
+fn normal_from_mesh(linear: &DMat3) -> (DMat3, f32) {
     // The cofactor matrix is the inverse transpose times the determinant, and exists even where
     // a flattening transform has no inverse.
     let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
     let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
     let handedness = if linear.determinant() < 0.0 { -1.0 } else { 1.0 };
-    (cofactors * handedness, handedness)
+    (cofactors * f64::from(handedness), handedness)
 }
 
 /// The rows of a matrix, in f32.
