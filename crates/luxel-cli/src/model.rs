@@ -33,12 +33,13 @@ impl From<Loaded> for Model {
     }
 }
 
-/// Reads the model of the command line and prints its warnings.
+/// Reads the model of the command line and prints its warnings, for a command that ends with its result.
 pub(crate) fn load(
     input: &InputOptions,
     execution: &ExecutionOptions,
     console: Console,
 ) -> Result<Model, Failure> {
+    execution.take_part();
     load_with_progress(input, execution, console, None)
 }
 

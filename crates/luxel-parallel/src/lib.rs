@@ -14,6 +14,7 @@
 //! | [`join`] | two things done side by side |
 //! | [`Memo`] | a value computed when first needed |
 //! | [`pool`], [`install`] | threads of one's own, and what is done by them |
+//! | [`take_part`], [`limit_threads`] | how many threads do what is done outside of pools |
 //! | [`sort_u32`], [`sort_u64`], [`sort_u128`] | keys in order |
 //!
 //! What is done with a run is a `&dyn Fn`: the loop over its elements is the caller's own code,
@@ -43,7 +44,7 @@ mod sort;
 mod thread;
 
 pub use memo::Memo;
-pub use pool::{ThreadPool, install, install_while, limit_threads, pool, threads};
+pub use pool::{ThreadPool, install, install_while, limit_threads, pool, take_part, threads};
 pub use run::{any, each, each_from_outside, fill, first, gather, map};
 pub use sort::{sort_u32, sort_u64, sort_u128};
 pub use thread::{join, tasks};

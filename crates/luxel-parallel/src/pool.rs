@@ -16,24 +16,53 @@ pub fn threads() -> usize {
     if rayon::current_thread_index().is_some() {
         return rayon::current_num_threads();
     }
-    outside(0).map_or(1, ThreadPool::current_num_threads)
+    outside(|| builder(0)).map_or(1, ThreadPool::current_num_threads)
 }
 
 /// Gives work outside of pools as many threads as this; changes nothing once there has been some.
 pub fn limit_threads(count: usize) {
-    outside(count);
+    outside(|| builder(count));
+}
+
+/// Gives work outside of pools as many threads as this, 0 for one a processor, the calling thread among them; changes
+/// nothing once there has been some.
+///
+/// For programs that do all of it from this thread, which works itself then instead of waiting, in memory that it has
+/// used before. Other threads have to wait for it where it is the only one.
+pub fn take_part(count: usize) {
+    outside(|| builder(count).use_current_thread());
 }
 
 /// More threads a processor than this only take memory and the scheduler's time.
 const MOST_A_PROCESSOR: usize = 16;
 
-/// A pool of threads, 0 for one a processor and never more than sixteen a processor; `None` where the system
-/// refuses to create them: see [`install`].
+/// A pool of threads, 0 for one a processor and never more than sixteen a processor; `None` where the calling thread
+/// [takes part](take_part) in as many already, and where the system refuses to create them: see [`install`].
 #[must_use]
 pub fn pool(count: usize) -> Option<ThreadPool> {
-    let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
-    let count = count.min(MOST_A_PROCESSOR * processors);
-    ThreadPoolBuilder::new().num_threads(count).build().ok()
+    let takes_part = |pool: &&ThreadPool| pool.current_thread_index().is_some();
+    let own = OUTSIDE.get().and_then(Option::as_ref).filter(takes_part);
+    match own.map(ThreadPool::current_num_threads) {
+        Some(threads) if threads == granted(count) => None,
+        _ => builder(count).build().ok(),
+    }
+}
+
+/// How many threads a pool of `count` has.
+fn granted(count: usize) -> usize {
+    if count == 0 { processors() } else { at_most(count) }
+}
+
+fn at_most(count: usize) -> usize {
+    count.min(MOST_A_PROCESSOR * processors())
+}
+
+fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, NonZero::get)
+}
+
+fn builder(count: usize) -> ThreadPoolBuilder {
+    ThreadPoolBuilder::new().num_threads(at_most(count))
 }
 
 /// Does work in a pool; without one, in the current pool, or outside of pools on as many threads as the
@@ -45,7 +74,7 @@ pub fn install<R: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> R + Se
     match pool {
         Some(pool) => pool.install(work),
         None if rayon::current_thread_index().is_some() => work(),
-        None => match outside(0) {
+        None => match outside(|| builder(0)) {
             Some(pool) => pool.install(work),
             None => work(),
         },
@@ -63,7 +92,7 @@ pub fn install_while<R: Send>(
 ) -> R {
     let mut result = None;
     let done = &mut result;
-    match pool.or_else(|| outside(0)) {
+    match pool.or_else(|| outside(|| builder(0))) {
         Some(pool) => pool.in_place_scope(|scope| {
             scope.spawn(|_| *done = Some(work()));
             meanwhile();
@@ -76,9 +105,9 @@ pub fn install_while<R: Send>(
     result.unwrap_or_else(|| unreachable!("a scope ends after its work"))
 }
 
-fn outside(count: usize) -> Option<&'static ThreadPool> {
+fn outside(first: impl FnOnce() -> ThreadPoolBuilder) -> Option<&'static ThreadPool> {
     let start = || {
-        let pool = pool(count);
+        let pool = first().build().ok();
         if pool.is_none() {
             // What runs nevertheless takes the current thread. Fails where the program has started this
             // pool itself.

@@ -15,6 +15,9 @@ pub fn threads() -> usize {
 /// Changes nothing: there is one thread.
 pub fn limit_threads(_count: usize) {}
 
+/// Changes nothing: there is one thread.
+pub fn take_part(_count: usize) {}
+
 /// `None`: see [`install`].
 #[must_use]
 pub fn pool(_count: usize) -> Option<ThreadPool> {

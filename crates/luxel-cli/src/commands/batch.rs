@@ -269,6 +269,7 @@ fn work(options: WorkerOptions) -> Result<(), Failure> {
         let _ = signal_hook::flag::register(signal_hook::consts::SIGINT, Arc::clone(&ignored));
         fail_to_write_long_files(ignored);
     }
+    luxel_parallel::take_part(execution.threads);
     let mut painter = Painter::new(folder, execution.painting());
     serve(&mut painter, &root, &parts)
         .map_err(|error| Failure::work(format!("a worker's input or output failed: {error}"), ""))
@@ -328,6 +329,7 @@ pub(crate) fn draw_in_memory(line: &str, folder: PathBuf) -> Result<DrawnTask, S
     PAINTER.with_borrow_mut(|known| {
         if known.as_ref().is_none_or(|(of, _)| *of != folder) {
             let execution = BatchExecution::default().painting();
+            luxel_parallel::limit_threads(execution.threads);
             *known = Some((folder.clone(), Painter::new(folder, execution)));
         }
         let Some((_, painter)) = known else { return Err("no painter".to_owned()) };

@@ -23,11 +23,16 @@ pub(crate) struct ExecutionOptions {
 }
 
 impl ExecutionOptions {
-    /// Limits the threads of the readers; the renderer has its own pool.
+    /// Limits the threads of readers that work beside a window; its renderer has its own.
     pub(crate) fn limit_threads(&self) {
         if let Some(count) = self.threads {
             luxel_parallel::limit_threads(count);
         }
+    }
+
+    /// Makes this thread one of those that do everything, for commands that end with their result.
+    pub(crate) fn take_part(&self) {
+        luxel_parallel::take_part(self.threads.unwrap_or(0));
     }
 }
 

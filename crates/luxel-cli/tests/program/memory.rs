@@ -142,6 +142,25 @@ fn hundreds_of_thousands_of_instances_side_by_side_take_ten_times_their_file() {
     traced_within_bounds(&folder, "grid.gltf", text.len());
 }
 
+#[test]
+fn hundreds_of_thousands_of_instances_each_turned_differently_take_ten_times_their_file() {
+    let folder = Folder::new();
+    let node = |number: usize| {
+        let (row, column) = (number / 450, number % 450);
+        let [x, y, z, w] =
+            [1 + number % 97, 1 + number % 101, 1 + row, 1 + column].map(|part| part as f64);
+        let length = (x * x + y * y + z * z + w * w).sqrt();
+        let [x, y, z, w] = [x, y, z, w].map(|part| part / length);
+        format!(
+            r#"{{"mesh":0,"translation":[{column},{row},0],"rotation":[{x:.4},{y:.4},{z:.4},{w:.4}]}}"#
+        )
+    };
+    let text = document(&(0..200_000).map(node).collect::<Vec<_>>());
+    folder.write("turned.gltf", &text);
+    read_within_bounds(&folder, "turned.gltf", text.len());
+    traced_within_bounds(&folder, "turned.gltf", text.len());
+}
+
 /// The trees that shadows need, in bytes, by the message of a run that may not take them.
 fn trees_of(folder: &Folder, line: &str, limit: &str) -> u64 {
     let run = folder.run(line.split_whitespace().chain(["--max-memory", limit]));

@@ -72,7 +72,6 @@ struct Model {
 impl Painter {
     pub(crate) fn new(folder: PathBuf, execution: Execution) -> Self {
         let Execution { threads, simd, max_memory } = execution;
-        luxel_parallel::limit_threads(threads);
         let flags = FlagReader::new(threads, simd, max_memory);
         Self { folder, flags, max_memory, begun: None, last: None }
     }

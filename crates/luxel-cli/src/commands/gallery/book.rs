@@ -20,7 +20,7 @@ impl GalleryCommand {
         }
         let folder = Path::new(&self.output);
         check(folder)?;
-        self.execution.limit_threads();
+        self.execution.take_part();
         let bar = Progress::new(console, Gallery::STEPS, "chapters");
         let gallery = Gallery::make(&view::execution(&self.execution), || bar.step())
             .map_err(|error| Failure::work(error.to_string(), ""))?;
