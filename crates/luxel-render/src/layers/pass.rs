@@ -49,7 +49,8 @@ impl Renderer {
         let view = view.clone().with_samples(1).with_edges(None);
         let has_uvs = layers.contains(&Layer::Uv);
         let attributes = if has_uvs { AttributeMask::UVS[0] } else { AttributeMask::NONE };
-        let heard = Heard { positions: true, attributes };
+        let has_places = |layer: &Layer| matches!(layer, Layer::Depth | Layer::Z | Layer::Position);
+        let heard = Heard { positions: layers.iter().any(has_places), attributes };
         let start = self.now();
         self.with_scene(&view, coverage, None, heard, |scene, alpha_test| {
             let bin = self.now() - start;
@@ -65,14 +66,8 @@ impl Renderer {
             let has_normals = layers.contains(&Layer::Normal);
             let maps_normals =
                 has_normals && self.scene().materials.iter().any(|of| of.normal.is_some());
-            let has_places =
-                |layer: &Layer| matches!(layer, Layer::Depth | Layer::Z | Layer::Position);
             let reads_attributes = has_uvs || maps_normals || is_studied(&scene.shading);
-            let geometry = Wanted {
-                position: layers.iter().any(has_places),
-                normal: has_normals,
-                light: false,
-            };
+            let geometry = Wanted { position: heard.positions, normal: has_normals, light: false };
             let pass = Pass {
                 renderer: self,
                 scene,
@@ -395,7 +390,8 @@ fn hear<N: Lanes>(
     let mut found = Fragments::nothing(simd);
     match geometry {
         Some(wanted) => {
-            geometry_of(simd, scene, batch, &mut cache.setup, (seen, wanted), &mut found);
+            let (setup, found) = (&mut cache.setup, &mut found);
+            geometry_of(simd, scene, batch, setup, (seen, wanted), found, &mut materials);
         }
         None => all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials),
     }

@@ -425,28 +425,28 @@ pub(crate) fn all_fragments<N: Lanes>(
     found: &mut Fragments<N>,
     materials: &mut [u32; LANES],
 ) {
+    let wanted = Wanted {
+        position: scene.needs_positions,
+        normal: true,
+        light: scene.shading.mode == ShadingMode::Gouraud,
+    };
+    let is_studied = is_studied(&scene.shading);
+    let has_lights_visibility = scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong;
+    if !scene.has_extras && !is_studied && !has_lights_visibility {
+        geometry_of(simd, scene, batch, &mut cache.setup, (seen, wanted), found, materials);
+        return;
+    }
     simd.vectorized(
         #[inline(always)]
         || {
-            let wanted = Wanted {
-                position: scene.needs_positions,
-                normal: true,
-                light: scene.shading.mode == ShadingMode::Gouraud,
-            };
             cache.setup.begin_tile(batch.tile);
             let setup = &mut cache.setup;
-            found.interpolate::<{ needs::ALL }>(
-                simd,
-                scene,
-                batch,
-                setup,
-                (seen, wanted),
-                materials,
-            );
-            if is_studied(&scene.shading) {
+            let wanted = (seen, wanted);
+            found.interpolate::<{ needs::ALL }>(simd, scene, batch, setup, wanted, materials);
+            if is_studied {
                 study(scene, batch, cache, seen, found);
             }
-            if scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong {
+            if has_lights_visibility {
                 shadow(scene, batch, cache, seen, found);
             }
         },
@@ -465,12 +465,12 @@ pub(crate) fn geometry_of<N: Lanes>(
     setup: &mut SetupCache,
     (seen, wanted): (u32, Wanted),
     found: &mut Fragments<N>,
+    materials: &mut [u32; LANES],
 ) {
     simd.vectorized(
         #[inline(always)]
         || {
             setup.begin_tile(batch.tile);
-            let materials = &mut [0; LANES];
             let wanted = (seen, wanted);
             found.interpolate::<{ needs::PLACES }>(simd, scene, batch, setup, wanted, materials);
         },
