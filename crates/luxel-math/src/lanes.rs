@@ -82,6 +82,11 @@ pub trait Lanes:
     fn equal(self, other: Self) -> Self::Mask;
     /// `self` where the mask is true, `other` where it is false.
     fn select(self, mask: Self::Mask, other: Self) -> Self;
+    /// Writes `self` to a place in memory where the mask is true.
+    #[inline(always)]
+    fn put(self, mask: Self::Mask, place: &mut Self) {
+        *place = self.select(mask, *place);
+    }
 
     /// For a positive normal number x = m 2^e with m in [sqrt(1/2), sqrt(2)): (m, e).
     fn mantissa_and_exponent(self) -> (Self, Self);

@@ -102,6 +102,14 @@ impl<N: Lanes> Vec3<N> {
         )
     }
 
+    /// Writes lanes of `self` to a place in memory where the mask is true.
+    #[inline(always)]
+    pub fn put(self, mask: N::Mask, place: &mut Self) {
+        self.x.put(mask, &mut place.x);
+        self.y.put(mask, &mut place.y);
+        self.z.put(mask, &mut place.z);
+    }
+
     /// The coordinates of one lane.
     #[inline(always)]
     pub fn lane(self, lane: usize) -> [f32; 3] {
@@ -139,6 +147,14 @@ impl<N: Lanes> Rgb<N> {
             self.g.select(mask, other.g),
             self.b.select(mask, other.b),
         )
+    }
+
+    /// Writes lanes of `self` to a place in memory where the mask is true.
+    #[inline(always)]
+    pub fn put(self, mask: N::Mask, place: &mut Self) {
+        self.r.put(mask, &mut place.r);
+        self.g.put(mask, &mut place.g);
+        self.b.put(mask, &mut place.b);
     }
 
     /// The components of one lane.

@@ -170,3 +170,32 @@ fn whole_numbers_are_stored_as_they_are_and_only_asked_lanes_visited() {
         dispatch!(level.resolve().unwrap(), simd => check(simd));
     }
 }
+
+#[inline(always)]
+fn put_in_lanes<N: Lanes>(new: N, kept: &[f32; LANES], lanes: u32) -> [f32; LANES] {
+    let mut place = new.load(kept, 0);
+    new.put(new.mask_of(lanes), &mut place);
+    let mut stored = [0.0; LANES];
+    place.store(&mut stored, 0);
+    stored
+}
+
+#[test]
+fn lanes_outside_a_mask_keep_what_their_place_had() {
+    let kept: [f32; LANES] = std::array::from_fn(|lane| VALUES[lane % VALUES.len()]);
+    for level in SimdLevel::available() {
+        for lanes in [0, 1, 0x8001, 0x5a3c, 0xffff] {
+            let stored = dispatch!(level.resolve().unwrap(), simd => {
+                put_in_lanes(f32x16::splat(simd, 7.0), &kept, lanes)
+            });
+            for lane in 0..LANES {
+                let expected = if lanes >> lane & 1 == 1 { 7.0 } else { kept[lane] };
+                assert_eq!(
+                    stored[lane].to_bits(),
+                    expected.to_bits(),
+                    "{level:?} {lanes:x} {lane}"
+                );
+            }
+        }
+    }
+}

@@ -10,6 +10,7 @@ use fearless_simd::{
     ExtractToken, Simd, f32x4, f32x8, f32x16, i32x8, i32x16, mask32x8, mask32x16, prelude::*,
     u32x8, u32x16,
 };
+use std::hint::black_box;
 
 /// Whether the instruction set's own minimum and maximum are `a < b ? a : b` and `a > b ? a : b`, bit
 /// for bit, with NaN and both zeros: x86's are, others treat NaN in ways of their own.
@@ -19,6 +20,19 @@ fn compares_in_min_and_max<S: Simd>(simd: S) -> bool {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         Level::Sse2(_) | Level::Sse4_2(_) | Level::Avx2(_) | Level::Avx512(_) => true,
         _ => false,
+    }
+}
+
+/// What lies in memory, before some of its lanes are replaced there: read whole, chosen from, and written whole.
+///
+/// LLVM turns that into a store of single lanes, which AMD's processors with AVX2 execute in microcode. There
+/// the value is hidden from it, and stays the same.
+#[inline(always)]
+fn loaded_whole<S: Simd, V>(simd: S, stored: V) -> V {
+    match simd.level() {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx2(_) => black_box(stored),
+        _ => stored,
     }
 }
 
@@ -120,6 +134,10 @@ macro_rules! vector_lanes {
             #[inline(always)]
             fn select(self, mask: $Mask<S>, other: Self) -> Self {
                 mask.select(self, other)
+            }
+            #[inline(always)]
+            fn put(self, mask: $Mask<S>, place: &mut Self) {
+                *place = self.select(mask, loaded_whole(self.simd, *place));
             }
             #[inline(always)]
             fn minimum(self, other: Self) -> Self {

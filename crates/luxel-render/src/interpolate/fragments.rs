@@ -292,16 +292,28 @@ impl<N: Lanes> Fragments<N> {
         let own = &mut self.attributes;
         if wanted.normal {
             let normal = vector(source, NORMAL, &weights);
-            own.normal = if WHOLE { normal } else { normal.select(mask, own.normal) };
+            if WHOLE {
+                own.normal = normal;
+            } else {
+                normal.put(mask, &mut own.normal);
+            }
         }
         if wanted.position {
             let position = vector(source, POSITION, &weights);
-            own.position = if WHOLE { position } else { position.select(mask, own.position) };
+            if WHOLE {
+                own.position = position;
+            } else {
+                position.put(mask, &mut own.position);
+            }
         }
         if wanted.light {
             let Vec3 { x: r, y: g, z: b } = vector(source, LIGHT, &weights);
             let light = Rgb::new(r, g, b);
-            own.light = if WHOLE { light } else { light.select(mask, own.light) };
+            if WHOLE {
+                own.light = light;
+            } else {
+                light.put(mask, &mut own.light);
+            }
         }
         if NEEDS != needs::ALL {
             return;
@@ -326,15 +338,13 @@ impl<N: Lanes> Fragments<N> {
         if has.has(AttributeMask::TANGENTS) {
             for component in 0..4 {
                 let value = extra(source, TANGENT + 3 * component, &weights);
-                own.tangent[component] =
-                    if WHOLE { value } else { value.select(mask, own.tangent[component]) };
+                merge_one::<WHOLE, N>(&mut own.tangent[component], value, mask);
             }
         }
         if has.has(AttributeMask::COLORS) {
             for component in 0..4 {
                 let value = extra(source, COLOR + 3 * component, &weights);
-                own.color[component] =
-                    if WHOLE { value } else { value.select(mask, own.color[component]) };
+                merge_one::<WHOLE, N>(&mut own.color[component], value, mask);
             }
         }
     }
@@ -433,7 +443,15 @@ fn merge<const C: usize, const WHOLE: bool, N: Lanes>(
     mask: N::Mask,
 ) {
     for component in 0..C {
-        let new = new[component];
-        values[component] = if WHOLE { new } else { new.select(mask, values[component]) };
+        merge_one::<WHOLE, N>(&mut values[component], new[component], mask);
+    }
+}
+
+#[inline(always)]
+fn merge_one<const WHOLE: bool, N: Lanes>(value: &mut N, new: N, mask: N::Mask) {
+    if WHOLE {
+        *value = new;
+    } else {
+        new.put(mask, value);
     }
 }

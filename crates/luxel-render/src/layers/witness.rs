@@ -106,7 +106,7 @@ impl<N: Lanes> LayerWitness<'_, N> {
             let of_all = self.sums;
             self.sums = [of_all[0] + ambient, of_all[1] + diffuse, of_all[2] + specular];
             if number == 0 {
-                self.n_dot_l = light.n_dot_l.select(self.mask, self.n_dot_l);
+                light.n_dot_l.put(self.mask, &mut self.n_dot_l);
             }
             self.keep_light(light.index, ambient + diffuse + specular, light.visibility);
         }
@@ -119,11 +119,14 @@ impl<N: Lanes> LayerWitness<'_, N> {
     fn keep_light(&mut self, index: usize, sum: Rgb<N>, visibility: Option<N>) {
         let Some(kept) = self.of_lights.get_mut(index) else { return };
         if let Some(visibility) = visibility {
-            let others = self.simd.load(&kept.visibility, 0);
-            visibility.select(self.mask, others).store(&mut kept.visibility, 0);
+            let mut kept_lanes = self.simd.load(&kept.visibility, 0);
+            visibility.put(self.mask, &mut kept_lanes);
+            kept_lanes.store(&mut kept.visibility, 0);
         }
         for (kept, channel) in kept.sum.iter_mut().zip([sum.r, sum.g, sum.b]) {
-            channel.select(self.mask, self.simd.load(kept, 0)).store(kept, 0);
+            let mut lanes = self.simd.load(kept, 0);
+            channel.put(self.mask, &mut lanes);
+            lanes.store(kept, 0);
         }
     }
 
@@ -131,11 +134,11 @@ impl<N: Lanes> LayerWitness<'_, N> {
     #[inline(always)]
     fn keep_terms(&mut self, emission: Rgb<N>, scene_ambient: Rgb<N>, environment: Rgb<N>) {
         let (mask, [ambient, diffuse, specular]) = (self.mask, self.sums);
-        self.ambient = (scene_ambient + ambient).select(mask, self.ambient);
-        self.diffuse = diffuse.select(mask, self.diffuse);
-        self.specular = specular.select(mask, self.specular);
-        self.emission = emission.select(mask, self.emission);
-        self.environment = environment.select(mask, self.environment);
+        (scene_ambient + ambient).put(mask, &mut self.ambient);
+        diffuse.put(mask, &mut self.diffuse);
+        specular.put(mask, &mut self.specular);
+        emission.put(mask, &mut self.emission);
+        environment.put(mask, &mut self.environment);
     }
 }
 
@@ -148,14 +151,14 @@ impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
         let [ambient, diffuse, specular] = self.sums;
         self.sums = [ambient + terms.ambient, diffuse + terms.diffuse, specular + terms.specular];
         if index == 0 {
-            self.n_dot_l = terms.n_dot_l.select(self.mask, self.n_dot_l);
+            terms.n_dot_l.put(self.mask, &mut self.n_dot_l);
         }
         self.keep_light(index, terms.ambient + terms.diffuse + terms.specular, terms.visibility);
     }
 
     #[inline(always)]
     fn openness(&mut self, openness: N) {
-        self.openness = openness.select(self.mask, self.openness);
+        openness.put(self.mask, &mut self.openness);
     }
 
     #[inline(always)]
@@ -169,15 +172,15 @@ impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
     #[inline(always)]
     fn fog(&mut self, factor: N, color: Rgb<N>) {
         let fog = color * (factor.one() - factor);
-        self.fog = fog.select(self.mask, self.fog);
-        self.fog_factor = factor.select(self.mask, self.fog_factor);
+        fog.put(self.mask, &mut self.fog);
+        factor.put(self.mask, &mut self.fog_factor);
     }
 }
 
 impl<N: Lanes> SurfaceWitness<N> for LayerWitness<'_, N> {
     #[inline(always)]
     fn elsewhere(&mut self, _: &SurfacePoint<N>, tint: Rgb<N>, _: Rgb<N>) {
-        self.tint = tint.select(self.mask, self.tint);
+        tint.put(self.mask, &mut self.tint);
     }
 }
 
@@ -212,7 +215,7 @@ impl<N: Lanes> BlockWitness<N> for LayerWitness<'_, N> {
                 let attributes = &found.attributes;
                 let mapped =
                     shading_normal(scene, attributes, point.normal, number as usize, lanes);
-                self.normal = mapped.select(self.simd.mask_of(lanes), self.normal);
+                mapped.put(self.simd.mask_of(lanes), &mut self.normal);
             }
         }
     }
