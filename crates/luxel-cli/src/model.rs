@@ -51,7 +51,6 @@ pub(crate) fn load_with_progress(
     progress: Option<Progress>,
 ) -> Result<Model, Failure> {
     let start = Instant::now();
-    execution.limit_threads();
     let limits = Limits { max_memory: execution.max_memory, progress, ..Limits::default() };
     let model = read(input, &limits)?;
     for warning in &model.warnings {

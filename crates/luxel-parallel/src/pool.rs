@@ -7,8 +7,15 @@ use std::sync::OnceLock;
 
 pub use rayon::ThreadPool;
 
-/// The threads for work outside of pools; `None` where the system refuses to create threads.
-static OUTSIDE: OnceLock<Option<ThreadPool>> = OnceLock::new();
+/// The threads for work outside of pools.
+static OUTSIDE: OnceLock<Outside> = OnceLock::new();
+
+struct Outside {
+    /// The number that they were made for: 0 for one a processor.
+    count: usize,
+    /// `None` where the system refuses to create threads.
+    pool: Option<ThreadPool>,
+}
 
 /// How many threads the current pool has.
 #[must_use]
@@ -16,12 +23,12 @@ pub fn threads() -> usize {
     if rayon::current_thread_index().is_some() {
         return rayon::current_num_threads();
     }
-    outside(|| builder(0)).map_or(1, ThreadPool::current_num_threads)
+    outside().map_or(1, ThreadPool::current_num_threads)
 }
 
 /// Gives work outside of pools as many threads as this; changes nothing once there has been some.
 pub fn limit_threads(count: usize) {
-    outside(|| builder(count));
+    OUTSIDE.get_or_init(|| Outside::new(count, builder(count)));
 }
 
 /// Gives work outside of pools as many threads as this, 0 for one a processor, the calling thread among them; changes
@@ -30,7 +37,7 @@ pub fn limit_threads(count: usize) {
 /// For programs that do all of it from this thread, which works itself then instead of waiting, in memory that it has
 /// used before. Other threads have to wait for it where it is the only one.
 pub fn take_part(count: usize) {
-    outside(|| builder(count).use_current_thread());
+    OUTSIDE.get_or_init(|| Outside::new(count, builder(count).use_current_thread()));
 }
 
 /// More threads a processor than this only take memory and the scheduler's time.
@@ -40,29 +47,19 @@ const MOST_A_PROCESSOR: usize = 16;
 /// [takes part](take_part) in as many already, and where the system refuses to create them: see [`install`].
 #[must_use]
 pub fn pool(count: usize) -> Option<ThreadPool> {
-    let takes_part = |pool: &&ThreadPool| pool.current_thread_index().is_some();
-    let own = OUTSIDE.get().and_then(Option::as_ref).filter(takes_part);
-    match own.map(ThreadPool::current_num_threads) {
-        Some(threads) if threads == granted(count) => None,
-        _ => builder(count).build().ok(),
+    let takes_part = |pool: &ThreadPool| pool.current_thread_index().is_some();
+    let has_as_many = |Outside { count: own, pool }: &Outside| {
+        *own == count && pool.as_ref().is_some_and(takes_part)
+    };
+    if OUTSIDE.get().is_some_and(has_as_many) {
+        return None;
     }
-}
-
-/// How many threads a pool of `count` has.
-fn granted(count: usize) -> usize {
-    if count == 0 { processors() } else { at_most(count) }
-}
-
-fn at_most(count: usize) -> usize {
-    count.min(MOST_A_PROCESSOR * processors())
-}
-
-fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, NonZero::get)
+    builder(count).build().ok()
 }
 
 fn builder(count: usize) -> ThreadPoolBuilder {
-    ThreadPoolBuilder::new().num_threads(at_most(count))
+    let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
+    ThreadPoolBuilder::new().num_threads(count.min(MOST_A_PROCESSOR * processors))
 }
 
 /// Does work in a pool; without one, in the current pool, or outside of pools on as many threads as the
@@ -74,7 +71,7 @@ pub fn install<R: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> R + Se
     match pool {
         Some(pool) => pool.install(work),
         None if rayon::current_thread_index().is_some() => work(),
-        None => match outside(|| builder(0)) {
+        None => match outside() {
             Some(pool) => pool.install(work),
             None => work(),
         },
@@ -92,7 +89,11 @@ pub fn install_while<R: Send>(
 ) -> R {
     let mut result = None;
     let done = &mut result;
-    match pool.or_else(|| outside(|| builder(0))) {
+    let pool = match pool {
+        None => outside(),
+        own => own,
+    };
+    match pool {
         Some(pool) => pool.in_place_scope(|scope| {
             scope.spawn(|_| *done = Some(work()));
             meanwhile();
@@ -105,17 +106,20 @@ pub fn install_while<R: Send>(
     result.unwrap_or_else(|| unreachable!("a scope ends after its work"))
 }
 
-fn outside(first: impl FnOnce() -> ThreadPoolBuilder) -> Option<&'static ThreadPool> {
-    let start = || {
-        let pool = first().build().ok();
+fn outside() -> Option<&'static ThreadPool> {
+    OUTSIDE.get_or_init(|| Outside::new(0, builder(0))).pool.as_ref()
+}
+
+impl Outside {
+    fn new(count: usize, builder: ThreadPoolBuilder) -> Self {
+        let pool = builder.build().ok();
         if pool.is_none() {
             // What runs nevertheless takes the current thread. Fails where the program has started this
             // pool itself.
             let _ = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
         }
-        pool
-    };
-    OUTSIDE.get_or_init(start).as_ref()
+        Self { count, pool }
+    }
 }
 
 /// Calls `work` on as many threads, one call a thread, and returns when all have returned.

@@ -6,7 +6,8 @@ use std::time::Duration;
 /// How the work is done.
 #[derive(Clone, Copy, Debug)]
 pub struct Execution {
-    /// Threads; 0 means one for each core.
+    /// Threads; 0 means one for each core. They are the renderer's own, but for programs whose thread
+    /// [takes part](luxel_parallel::take_part) in as many.
     pub threads: usize,
     /// The instruction set.
     pub simd: SimdLevel,

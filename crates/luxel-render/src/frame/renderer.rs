@@ -58,7 +58,7 @@ pub struct Renderer {
     bounds: Memo<Bounds>,
     lowest: Memo<f64>,
     level: Level,
-    /// `None` where the machine has no threads.
+    /// `None` where the thread that made it [takes part](luxel_parallel::take_part), or the machine has no threads.
     pool: Option<ThreadPool>,
     clock: fn() -> Duration,
     workers: Workers,

@@ -42,6 +42,7 @@ impl ViewCommand {
         console: Console,
         progress: &LoadProgress,
     ) -> Result<Model, Failure> {
+        self.view.execution.limit_threads();
         let input = self.input(file);
         let reading = Some(progress.reader.clone());
         let mut model = model::load_with_progress(&input, &self.view.execution, console, reading)?;

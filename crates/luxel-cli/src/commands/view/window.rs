@@ -90,7 +90,9 @@ impl ViewCommand {
     fn check_model(&self, model: &OsStr, console: Console) -> Result<(), Failure> {
         let is_file = model != "-" && !model.to_string_lossy().starts_with("demo:");
         if is_file && !std::fs::metadata(model).is_ok_and(|there| !there.is_dir()) {
-            return model::load(&self.input(model), &self.view.execution, console).map(|_| ());
+            let input = self.input(model);
+            return model::load_with_progress(&input, &self.view.execution, console, None)
+                .map(|_| ());
         }
         Ok(())
     }
