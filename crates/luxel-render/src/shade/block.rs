@@ -73,7 +73,7 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
             // Witnesses hear all attributes.
             if !N::IS_SPECIALIZED
                 || W::HEARS_SURFACES
-                || scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong
+                || is_shadowed_elsewhere(scene)
                 || !is_plain(simd, scene, batch, &mut cache.setup, seen)
             {
                 shade_everything(simd, scene, batch, cache, witness, seen)
@@ -131,6 +131,12 @@ pub(crate) fn shade_together<N: Lanes>(
             colors
         },
     )
+}
+
+/// Whether shadows fall on light that was computed elsewhere than at pixels.
+#[inline(always)]
+fn is_shadowed_elsewhere(scene: &ShadingContext<'_>) -> bool {
+    scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong
 }
 
 /// The lanes of a batch that see something.
@@ -431,8 +437,8 @@ pub(crate) fn all_fragments<N: Lanes>(
         light: scene.shading.mode == ShadingMode::Gouraud,
     };
     let is_studied = is_studied(&scene.shading);
-    let has_lights_visibility = scene.shadows.is_some() && scene.shading.mode != ShadingMode::Phong;
-    if !scene.has_extras && !is_studied && !has_lights_visibility {
+    let is_shadowed = is_shadowed_elsewhere(scene);
+    if !scene.has_extras && !is_studied && !is_shadowed {
         geometry_of(simd, scene, batch, &mut cache.setup, (seen, wanted), found, materials);
         return;
     }
@@ -446,7 +452,7 @@ pub(crate) fn all_fragments<N: Lanes>(
             if is_studied {
                 study(scene, batch, cache, seen, found);
             }
-            if has_lights_visibility {
+            if is_shadowed {
                 shadow(scene, batch, cache, seen, found);
             }
         },
