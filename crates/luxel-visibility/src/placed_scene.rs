@@ -311,3 +311,34 @@ impl<'s> PlacedScene<'s> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use luxel_scene::{Lens, MeshId, Node, Projection, demos};
+
+    #[test]
+    fn instances_in_one_place_share_their_space_after_one_elsewhere() {
+        let mut scene = demos::demo("plane").unwrap();
+        let node = Node::root("plane", Some(MeshId(0)));
+        let moved = DMat4::from_translation(DVec3::X);
+        scene.nodes = vec![node.clone(), node.clone().at(None, moved), node.at(None, moved)];
+        let objects = scene.objects();
+        let ranks = CoplanarRanks::of(&scene, &objects);
+        let view_from_world = Camera::look_at(DVec3::new(2.0, 3.0, 4.0), DVec3::ZERO, DVec3::Y);
+        let lens = Lens::Perspective { fov_y_radians: 0.7 };
+        let projection = Projection { lens, near: 0.1, far: 100.0 };
+        let camera = Camera { view_from_world, projection };
+        let size = Size { width: 64, height: 48 };
+        let rules = SurfaceRules {
+            cull: Cull::Auto,
+            coverage: CoveragePolicy::DRAWN,
+            wireframe: false,
+            point_size: 1.0,
+        };
+        let placed = PlacedScene::new(&scene, (&objects, &ranks), &camera, size, &rules);
+        assert!(!std::ptr::eq(placed.space(0), placed.space(1)));
+        assert!(std::ptr::eq(placed.space(1), placed.space(2)));
+    }
+}
