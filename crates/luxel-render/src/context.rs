@@ -183,14 +183,18 @@ pub(crate) mod needs {
 /// What witnesses of a frame hear beside what shading needs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Heard {
+    /// Barycentrics, or anything that is interpolated by them, as what follows is.
+    pub(crate) surfaces: bool,
     pub(crate) positions: bool,
     pub(crate) attributes: AttributeMask,
 }
 
 impl Heard {
-    pub(crate) const NOTHING: Self = Self { positions: false, attributes: AttributeMask::NONE };
+    pub(crate) const NOTHING: Self =
+        Self { surfaces: false, positions: false, attributes: AttributeMask::NONE };
     /// Positions, and texture coordinates of the first set.
-    pub(crate) const EVERYTHING: Self = Self { positions: true, attributes: AttributeMask::UVS[0] };
+    pub(crate) const EVERYTHING: Self =
+        Self { surfaces: true, positions: true, attributes: AttributeMask::UVS[0] };
 }
 
 /// Vertex attributes beside positions and normals, as bits.

@@ -60,7 +60,7 @@ pub(crate) struct Interpolated {
 
 impl Interpolated {
     /// What reaches the pixel of the light of places.
-    pub(crate) fn of(places: &[EvaluatedAt], mixed: MixedTerms<f32>) -> Self {
+    pub(crate) fn of(places: &[EvaluatedAt], mixed: MixedTerms) -> Self {
         let light = |(number, mixed): (usize, &MixedLight<f32>)| {
             let terms = |place: &EvaluatedAt| place.lights[number].terms;
             let mean = |of: &dyn Fn(&LightTerms<f32>) -> f32| -> f32 {

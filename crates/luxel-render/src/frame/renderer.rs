@@ -408,6 +408,7 @@ impl Renderer {
                 needs_flat_light_alone: view.shading.mode == ShadingMode::Flat
                     && view.shading.interpolation == Interpolation::Perspective
                     && !has_extras
+                    && !heard.surfaces
                     && fog.is_none()
                     && shadows.is_none(),
                 has_extras,

@@ -3,15 +3,13 @@
 use super::witness::LayerWitness;
 use crate::context::{LitAt, ShadingContext};
 use crate::interpolate::Batch;
-use crate::shade::{LitTriangle, MixedTerms, ThreadCache, VisibleLights};
-use luxel_math::{LANES, Lanes, Rgb};
+use crate::shade::{BlockWitness, MixedTerms, Term, ThreadCache, TriangleTerms, VisibleLights};
+use luxel_lighting::Witness;
+use luxel_math::{Lanes, Rgb, lanes_of};
 use luxel_visibility::TriangleId;
 
-/// Gives the witness the terms of light that was computed elsewhere than at the pixels: all lanes together that see one
-/// triangle, if they mix the light of the same places.
-///
-/// Outlined: one copy per lane type.
-#[inline(never)]
+/// Gives the witness the terms of light that was computed elsewhere than at the pixels: all lanes together, or
+/// sample by sample where each mixes the light of places of its own.
 pub(super) fn terms_elsewhere<N: Lanes>(
     scene: &ShadingContext<'_>,
     batch: &Batch,
@@ -19,49 +17,81 @@ pub(super) fn terms_elsewhere<N: Lanes>(
     seen: u32,
     witness: &mut LayerWitness<'_, N>,
 ) {
-    witness.depth.vectorized(
+    if TriangleTerms::are_mixed(scene) {
+        let (weights, texture) = (witness.weights, witness.tint);
+        cache.terms.mix(
+            scene,
+            (&batch.ids, seen),
+            &weights,
+            texture,
+            #[inline(always)]
+            |lanes, mix| {
+                witness.lanes(lanes);
+                for index in 0..mix.lights() {
+                    witness.put_light(index, &mix.light(index));
+                }
+                let [emission, ambient] = [mix.sum(Term::Emission), mix.sum(Term::SceneAmbient)];
+                witness.keep_terms(emission, ambient, mix.sum(Term::Environment));
+            },
+        );
+        return;
+    }
+    for lane in lanes_of(seen) {
+        let weights = witness.weights.map(|weight| weight.lane(lane));
+        let seen_at = (weights, batch.position(lane));
+        let of = (TriangleId(batch.ids[lane]), seen_at, witness.tint.lane(lane));
+        if let Some((terms, openness)) = terms_of_sample(scene, cache, of) {
+            put_sample(1 << lane, &terms, openness, witness);
+        }
+    }
+}
+
+/// The terms of one sample of a triangle, by barycentrics, place in the window and texture, and the openness there.
+fn terms_of_sample(
+    scene: &ShadingContext<'_>,
+    cache: &mut ThreadCache,
+    (id, seen_at, tint): (TriangleId, ([f32; 3], [f64; 2]), [f32; 3]),
+) -> Option<(MixedTerms, f32)> {
+    let triangle = cache.lit.get(scene, id)?;
+    // A texel under which the light was computed is a factor of its terms already.
+    let texture = match scene.lit_at(triangle.material as usize) {
+        LitAt::Pixels => return None,
+        LitAt::PiecesUnderTexels => [1.0; 3],
+        LitAt::Elsewhere => tint,
+    };
+    let places = triangle.lit_at(seen_at.0, seen_at.1);
+    let visible = VisibleLights::of(scene, id, seen_at, &places);
+    let terms = triangle.terms(scene, &places, tint);
+    let weighted: Vec<_> = places.iter().map(|place| place.weight).zip(terms).collect();
+    let terms = MixedTerms::of(&weighted, Rgb::splat(0.0, texture));
+    Some(match visible {
+        Some(visible) => (terms.visible(scene, &visible), visible.openness),
+        None => (terms, 1.0),
+    })
+}
+
+/// Gives the witness the terms of one lane.
+///
+/// Outlined: one copy per lane type.
+#[inline(never)]
+fn put_sample<N: Lanes>(
+    lane: u32,
+    terms: &MixedTerms,
+    openness: f32,
+    witness: &mut LayerWitness<'_, N>,
+) {
+    let simd = witness.depth.zero();
+    simd.vectorized(
         #[inline(always)]
         || {
-            let simd = witness.depth;
-            let mut left = seen;
-            while left != 0 {
-                let lane = left.trailing_zeros() as usize & (LANES - 1);
-                let id = batch.ids[lane];
-                let mut lanes = simd.eq_mask(&batch.ids, id) & left;
-                let lit_at = |of: &LitTriangle| scene.lit_at(of.material as usize);
-                let triangle = cache.lit.get(scene, TriangleId(id));
-                let Some(triangle) = triangle.filter(|of| lit_at(of) != LitAt::Pixels) else {
-                    left &= !lanes;
-                    continue;
-                };
-                let are_together = scene.shadows.is_none() && triangle.has_same_places();
-                if !are_together {
-                    lanes = 1 << lane;
-                }
-                left &= !lanes;
-                let seen_at =
-                    (witness.weights.map(|weight| weight.lane(lane)), batch.position(lane));
-                let places = triangle.lit_at(seen_at.0, seen_at.1);
-                let visible = VisibleLights::of(scene, TriangleId(id), seen_at, &places);
-                let weights = places.iter().map(|place| match are_together && places.len() > 1 {
-                    true => witness.weights[place.number as usize],
-                    false => simd.constant(place.weight),
-                });
-                // A texel under which the light was computed is a factor of its terms already.
-                let texture = match lit_at(triangle) {
-                    LitAt::PiecesUnderTexels => Rgb::splat(simd, [1.0; 3]),
-                    LitAt::Elsewhere | LitAt::Pixels => witness.tint,
-                };
-                let terms = triangle.terms(scene, &places, witness.tint.lane(lane));
-                let weighted: Vec<_> = weights.zip(terms).collect();
-                let mut terms = MixedTerms::of(&weighted, texture);
-                let mut openness = 1.0;
-                if let Some(visible) = visible {
-                    terms = terms.visible(scene, &visible);
-                    openness = visible.openness;
-                }
-                witness.put_terms(lanes, &terms, openness);
+            witness.lanes(lane);
+            witness.openness(simd.constant(openness));
+            for (index, light) in terms.lights.iter().enumerate() {
+                witness.put_light(index, &light.in_all_lanes(simd));
             }
+            let emission = Rgb::splat(simd, terms.emission.lane(0));
+            let ambient = Rgb::splat(simd, terms.scene_ambient.lane(0));
+            witness.keep_terms(emission, ambient, Rgb::splat(simd, terms.environment.lane(0)));
         },
     );
 }

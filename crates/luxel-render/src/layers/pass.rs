@@ -14,7 +14,8 @@ use crate::frame::{
 use crate::interpolate::{Batch, Fragments, Wanted, nearest_sample};
 use crate::resolve::{Bytes, Finish, empty_pixel, even_pixels, over_backdrop};
 use crate::shade::{
-    BlockWitness, ThreadCache, all_fragments, geometry_of, is_studied, point_of, shade,
+    BlockWitness, ThreadCache, TriangleTerms, WantedTerms, all_fragments, geometry_of, is_studied,
+    point_of, shade,
 };
 use luxel_lighting::PictureEncoding;
 use luxel_math::{LANES, Mask, Rgb, Simd, Vec3, dispatch_long, f32x16, lanes_of, prelude::*};
@@ -50,7 +51,9 @@ impl Renderer {
         let has_uvs = layers.contains(&Layer::Uv);
         let attributes = if has_uvs { AttributeMask::UVS[0] } else { AttributeMask::NONE };
         let has_places = |layer: &Layer| matches!(layer, Layer::Depth | Layer::Z | Layer::Position);
-        let heard = Heard { positions: layers.iter().any(has_places), attributes };
+        let positions = layers.iter().any(has_places);
+        let surfaces = positions || layers.iter().any(shows_surfaces);
+        let heard = Heard { surfaces, positions, attributes };
         let start = self.now();
         self.with_scene(&view, coverage, None, heard, |scene, alpha_test| {
             let bin = self.now() - start;
@@ -68,6 +71,8 @@ impl Renderer {
                 has_normals && self.scene().materials.iter().any(|of| of.normal.is_some());
             let reads_attributes = has_uvs || maps_normals || is_studied(&scene.shading);
             let geometry = Wanted { position: heard.positions, normal: has_normals, light: false };
+            let wanted = wanted_terms(layers);
+            let are_mixed = with_terms && TriangleTerms::are_mixed(scene);
             let pass = Pass {
                 renderer: self,
                 scene,
@@ -83,7 +88,9 @@ impl Renderer {
                 geometry: (!reads_attributes).then_some(geometry),
                 has_numbers: layers.iter().any(Layer::is_id),
                 with_terms,
-                is_lit_elsewhere: with_terms && !at_pixels,
+                is_lit_elsewhere: if are_mixed { wanted.any() } else { with_terms && !at_pixels },
+                wanted: are_mixed.then_some(wanted),
+                has_lights: layers.iter().any(shows_one_light),
             };
             let are_all_drawn = pass.pixels.is_some() && scene.backdrop.is_some();
             for_tiles(scene.frame, &|_| true, are_all_drawn, stop, || pass.worker(), &pass);
@@ -125,6 +132,34 @@ pub(super) struct Pass<'p> {
     with_terms: bool,
     /// Whether layers show terms of light that may be computed elsewhere than at pixels.
     pub(super) is_lit_elsewhere: bool,
+    /// What to keep of triangles' terms, where samples mix them.
+    wanted: Option<WantedTerms>,
+    /// Whether layers show what comes of single lights.
+    has_lights: bool,
+}
+
+/// Whether a layer shows what comes of one light.
+fn shows_one_light(layer: &Layer) -> bool {
+    matches!(layer, Layer::Light(_) | Layer::Shadow(_))
+}
+
+/// Whether a layer shows barycentrics, or what is interpolated by them beside places.
+fn shows_surfaces(layer: &Layer) -> bool {
+    matches!(layer, Layer::Barycentric | Layer::Normal | Layer::Uv)
+}
+
+/// The terms that layers show, or sums of them.
+fn wanted_terms(layers: &[Layer]) -> WantedTerms {
+    let is_wanted = |term: &Layer| layers.contains(term);
+    let of_lights = layers.iter().any(|layer| matches!(layer, Layer::Light(_)));
+    WantedTerms {
+        ambient: of_lights || is_wanted(&Layer::Ambient),
+        diffuse: of_lights || is_wanted(&Layer::Diffuse),
+        specular: of_lights || is_wanted(&Layer::Specular),
+        emission: is_wanted(&Layer::Emission),
+        environment: is_wanted(&Layer::Environment),
+        n_dot_l: is_wanted(&Layer::NDotL),
+    }
 }
 
 /// What one thread draws with.
@@ -177,11 +212,16 @@ impl<'w> TileWork<LayerWorker<'w>> for Pass<'w> {
 
 impl<'p> Pass<'p> {
     fn worker(&self) -> LayerWorker<'p> {
+        let mut worker = self.renderer.worker(self.scene.frame.samples());
+        if let Some(wanted) = self.wanted {
+            worker.cache.terms.begin_frame(self.scene, wanted);
+        }
+        let lights = if self.has_lights { self.lights.len() } else { 0 };
         LayerWorker {
-            worker: self.renderer.worker(self.scene.frame.samples()),
+            worker,
             pixels: Box::new([[0; 4]; (TILE * TILE) as usize]),
             tiles: self.planes.iter().map(Plane::tile).collect(),
-            of_lights: vec![LightLanes::NOTHING; self.lights.len()],
+            of_lights: vec![LightLanes::NOTHING; lights],
             recent: RecentTriangles::new(),
         }
     }
@@ -200,6 +240,11 @@ impl<'p> Pass<'p> {
             if is_flat && ahead.are_empty() {
                 self.fill_rows(worker, first);
                 continue;
+            }
+            if self.is_lit_elsewhere && self.wanted.is_some() {
+                let Worker { opaque, cache, .. } = &mut *worker.worker;
+                let blocks = opaque.planes()[0].ids[first..first + AHEAD].iter();
+                cache.terms.look_ahead(f32x16::splat(simd, 0.0), self.scene, blocks);
             }
             for number in 0..AHEAD {
                 if is_flat && ahead.is_empty(number) {
@@ -389,11 +434,11 @@ fn hear<N: Lanes>(
     let mut materials = [0; LANES];
     let mut found = Fragments::nothing(simd);
     match geometry {
-        Some(wanted) => {
+        Some(wanted) if N::IS_SPECIALIZED => {
             let (setup, found) = (&mut cache.setup, &mut found);
             geometry_of(simd, scene, batch, setup, (seen, wanted), found, &mut materials);
         }
-        None => all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials),
+        _ => all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials),
     }
     let point = point_of(simd, scene, batch, &found);
     witness.fragments(scene, &found, &materials, &point, seen);

@@ -3,7 +3,7 @@
 use crate::context::ShadingContext;
 use crate::interpolate::Fragments;
 use crate::material::{SurfaceWitness, shading_normal};
-use crate::shade::{BlockWitness, MixedLight, MixedTerms};
+use crate::shade::{BlockWitness, MixedLight};
 use luxel_lighting::{LightTerms, SurfacePoint, Terms, Witness};
 use luxel_math::{LANES, Lanes, Rgb, Vec3};
 
@@ -38,7 +38,7 @@ pub(crate) struct LayerWitness<'w, N: Lanes> {
     pub(crate) n_dot_l: N,
     /// Openness.
     pub(crate) openness: N,
-    /// By the light's place in the list.
+    /// By the light's place in the list; empty where no layer shows one light.
     pub(crate) of_lights: &'w mut [LightLanes],
     /// The lanes of the material that is lit.
     mask: N::Mask,
@@ -96,22 +96,23 @@ impl<'w, N: Lanes> LayerWitness<'w, N> {
 }
 
 impl<N: Lanes> LayerWitness<'_, N> {
-    /// Takes the terms of lanes whose light was computed elsewhere.
+    /// Takes the terms of a light where it was computed elsewhere, in the lanes that [`BlockWitness::lanes`] says.
     #[inline(always)]
-    pub(crate) fn put_terms(&mut self, lanes: u32, terms: &MixedTerms<N>, openness: f32) {
-        self.lanes(lanes);
-        self.openness(self.simd.constant(openness));
-        for (number, light) in terms.lights.iter().enumerate() {
-            let MixedLight { ambient, diffuse, specular, .. } = *light;
-            let of_all = self.sums;
-            self.sums = [of_all[0] + ambient, of_all[1] + diffuse, of_all[2] + specular];
-            if number == 0 {
-                light.n_dot_l.put(self.mask, &mut self.n_dot_l);
-            }
-            self.keep_light(light.index, ambient + diffuse + specular, light.visibility);
+    pub(crate) fn put_light(&mut self, index: usize, light: &MixedLight<N>) {
+        let &MixedLight { ambient, diffuse, specular, n_dot_l, visibility } = light;
+        self.add(ambient, diffuse, specular);
+        if index == 0 {
+            n_dot_l.put(self.mask, &mut self.n_dot_l);
         }
-        let MixedTerms { emission, scene_ambient, environment, .. } = *terms;
-        self.keep_terms(emission, scene_ambient, environment);
+        self.keep_light(index, ambient + diffuse + specular, visibility);
+    }
+
+    /// Adds the terms of a light, in place: arrays of vectors are copied by calls.
+    #[inline(always)]
+    fn add(&mut self, ambient: Rgb<N>, diffuse: Rgb<N>, specular: Rgb<N>) {
+        self.sums[0] = self.sums[0] + ambient;
+        self.sums[1] = self.sums[1] + diffuse;
+        self.sums[2] = self.sums[2] + specular;
     }
 
     /// Keeps the sum of a light's terms, and V.
@@ -130,9 +131,14 @@ impl<N: Lanes> LayerWitness<'_, N> {
         }
     }
 
-    /// Keeps the sums of all terms.
+    /// Keeps the sums of all terms, after those of the lights.
     #[inline(always)]
-    fn keep_terms(&mut self, emission: Rgb<N>, scene_ambient: Rgb<N>, environment: Rgb<N>) {
+    pub(crate) fn keep_terms(
+        &mut self,
+        emission: Rgb<N>,
+        scene_ambient: Rgb<N>,
+        environment: Rgb<N>,
+    ) {
         let (mask, [ambient, diffuse, specular]) = (self.mask, self.sums);
         (scene_ambient + ambient).put(mask, &mut self.ambient);
         diffuse.put(mask, &mut self.diffuse);
@@ -148,8 +154,7 @@ impl<N: Lanes> Witness<N> for LayerWitness<'_, N> {
         if !self.hears_terms {
             return;
         }
-        let [ambient, diffuse, specular] = self.sums;
-        self.sums = [ambient + terms.ambient, diffuse + terms.diffuse, specular + terms.specular];
+        self.add(terms.ambient, terms.diffuse, terms.specular);
         if index == 0 {
             terms.n_dot_l.put(self.mask, &mut self.n_dot_l);
         }

@@ -52,6 +52,18 @@ fn lights_under<N: Lanes, W: SurfaceWitness<N>>(
     reflected(&point, &coefficients, reflection, lighting, Occlusion::NONE, witness)
 }
 
+/// [`light_at`] at places of one material.
+#[inline(always)]
+pub(crate) fn lights_with<N: Lanes, W: SurfaceWitness<N>>(
+    scene: &ShadingContext<'_>,
+    place: &Attributes<N>,
+    of: (usize, u32),
+    witness: &mut W,
+) -> Rgb<N> {
+    let white = Rgb::splat(place.position.x, [1.0; 3]);
+    clamped(scene, lights_under(scene, place, of, white, witness))
+}
+
 /// The light of a triangle between its corners, as its pieces interpolate it.
 pub(crate) struct TriangleLight<'a> {
     pub(crate) scene: &'a ShadingContext<'a>,

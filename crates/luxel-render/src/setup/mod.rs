@@ -11,7 +11,7 @@ mod corners;
 mod prepare;
 
 pub(crate) use cache::{Prepared, SetupCache};
-pub(crate) use corners::PlacedCorners;
+pub(crate) use corners::{CornerReader, PlacedCorners, ReadCorners};
 pub(crate) use prepare::SetupColumns;
 
 use luxel_visibility::TILE_FORMS;

@@ -9,6 +9,7 @@ use crate::shade::flat_light::FlatLights;
 use crate::shade::kept_points::KeptPoints;
 use crate::shade::lit_triangle::LitTriangles;
 use crate::shade::studied::{draw_edges, is_studied, shadow, study};
+use crate::shade::triangle_terms::TriangleTerms;
 use crate::shade::witness::BlockWitness;
 use crate::shadow::{BATCHES, OcclusionLanes, SeenSamples};
 use luxel_lighting::{Occlusion, Silent, SurfacePoint};
@@ -23,6 +24,8 @@ pub(crate) struct ThreadCache {
     pub(crate) lit: LitTriangles,
     /// Lights of triangles in flat shading.
     pub(super) flat: FlatLights,
+    /// Terms of the light of corners and whole polygons, for layers.
+    pub(crate) terms: TriangleTerms,
     /// Occlusion of batches' samples.
     pub(crate) occlusion: OcclusionLanes,
     /// Surface points of batches, while shadow rays are traced.
@@ -35,6 +38,7 @@ impl ThreadCache {
             setup: SetupCache::new(),
             lit: LitTriangles::new(),
             flat: FlatLights::new(),
+            terms: TriangleTerms::new(),
             occlusion: OcclusionLanes::default(),
             points: [KeptPoints::NONE; BATCHES],
         }
@@ -188,7 +192,7 @@ fn shade_everything<N: Lanes, W: BlockWitness<N>>(
             let simd = simd.zero();
             let mut materials = [0; LANES];
             let mut found = Fragments::nothing(simd);
-            if !W::HEARS_SURFACES && scene.needs_flat_light_alone {
+            if scene.needs_flat_light_alone {
                 let of = (&batch.ids, seen);
                 found.attributes.light = cache.flat.of_lanes(simd, scene, of, &mut materials);
             } else {
@@ -438,7 +442,7 @@ pub(crate) fn all_fragments<N: Lanes>(
     };
     let is_studied = is_studied(&scene.shading);
     let is_shadowed = is_shadowed_elsewhere(scene);
-    if !scene.has_extras && !is_studied && !is_shadowed {
+    if N::IS_SPECIALIZED && !scene.has_extras && !is_studied && !is_shadowed {
         geometry_of(simd, scene, batch, &mut cache.setup, (seen, wanted), found, materials);
         return;
     }

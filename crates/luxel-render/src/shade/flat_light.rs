@@ -147,24 +147,24 @@ fn alone(scene: &ShadingContext<'_>, id: TriangleId, of: TriangleOf) -> FlatLigh
 }
 
 /// Polygons that are lit together, one a lane.
-struct Wholes<'a> {
+pub(super) struct Wholes<'a> {
     scene: &'a ShadingContext<'a>,
     /// Where they are lit: positions and normals.
     places: [[[f32; LANES]; 3]; 2],
-    materials: [u32; LANES],
+    pub(super) materials: [u32; LANES],
     /// Those that are lit now: of one material.
     lanes: u32,
     light: [[f32; LANES]; 3],
 }
 
 impl<'a> Wholes<'a> {
-    fn new(scene: &'a ShadingContext<'a>) -> Self {
+    pub(super) fn new(scene: &'a ShadingContext<'a>) -> Self {
         let (places, light) = ([[[0.0; LANES]; 3]; 2], [[0.0; LANES]; 3]);
         Self { scene, places, materials: [0; LANES], lanes: 0, light }
     }
 
     /// Puts the places of lanes' polygons; returns the lanes whose materials have neither textures nor vertex colours.
-    fn put(&mut self, ids: &[u32; LANES], lanes: u32) -> u32 {
+    pub(super) fn put(&mut self, ids: &[u32; LANES], lanes: u32) -> u32 {
         let mut put = 0;
         let mut places: Option<WholePlaces<'a>> = None;
         for lane in lanes_of(lanes) {
@@ -188,6 +188,11 @@ impl<'a> Wholes<'a> {
             places = Some(own);
         }
         put
+    }
+
+    /// A lane's position and normal.
+    pub(super) fn place(&self, lane: usize) -> [[f32; 3]; 2] {
+        self.places.map(|columns| columns.map(|column| column[lane & (LANES - 1)]))
     }
 
     /// Those of the lanes that have the material of the first.
@@ -221,6 +226,6 @@ impl SplitLanes for Wholes<'_> {
 }
 
 #[inline(always)]
-fn vector<N: Lanes>(simd: N, [x, y, z]: &[[f32; LANES]; 3], first: usize) -> Vec3<N> {
+pub(super) fn vector<N: Lanes>(simd: N, [x, y, z]: &[[f32; LANES]; 3], first: usize) -> Vec3<N> {
     Vec3::new(simd.load(x, first), simd.load(y, first), simd.load(z, first))
 }

@@ -306,12 +306,6 @@ impl LitTriangle {
         }
     }
 
-    /// Whether the places where light was computed are the same for all samples, which mix corners by their
-    /// barycentrics.
-    pub(crate) fn has_same_places(&self) -> bool {
-        !matches!(self.own_light, OwnLight::Pieces(_)) && self.outline.is_none()
-    }
-
     /// The terms of places: under a texel, where pieces are lit for every texel.
     pub(crate) fn terms(
         &mut self,

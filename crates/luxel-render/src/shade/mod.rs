@@ -10,13 +10,15 @@ mod place_terms;
 mod screen_interpolation;
 mod shadowed;
 mod studied;
+mod triangle_terms;
 mod whole_place;
 mod witness;
 
 pub(crate) use block::{ThreadCache, all_fragments, geometry_of, point_of, shade, shade_together};
 pub(crate) use display::displayed;
 pub(crate) use lit_triangle::LitTriangle;
-pub(crate) use place_terms::{LitPlace, MixedLight, MixedTerms};
+pub(crate) use place_terms::{LitPlace, MixedLight, MixedTerms, Term};
 pub(crate) use shadowed::VisibleLights;
 pub(crate) use studied::is_studied;
+pub(crate) use triangle_terms::{TriangleTerms, WantedTerms};
 pub(crate) use witness::BlockWitness;

@@ -1,6 +1,6 @@
 //! The ledger against the frame: what is explained is what was drawn.
 
-use crate::scenes::{execution, fitted, glass, matte, scene};
+use crate::scenes::{execution, fitted, glass, matte, scene, square};
 use luxel_lighting::{
     Attenuation, Cone, Fog, FogLaw, Light, LightKind, REFLECTION_MODELS, Reflection, Tone,
 };
@@ -9,7 +9,8 @@ use luxel_render::{
     At, Background, Clamp, Interpolation, Layer, LayerValues, NormalLength, RenderError, Renderer,
     Shading, ShadingMode, View,
 };
-use luxel_scene::{DVec3, Placement, Scene, SceneLight, Size, default_lights, demos, primitives};
+use luxel_scene::{DMat4, DVec3, MeshId, Node, Placement, Scene, SceneLight, Size};
+use luxel_scene::{default_lights, demos, primitives};
 use luxel_view::AmbientOcclusion;
 
 /// Numbers without a pattern: a multiplier and an increment of Knuth's MMIX.
@@ -390,42 +391,86 @@ fn the_layers_of_terms_add_up_to_the_picture() {
     }
 }
 
+/// Compares layers of terms with sums of the ledger's at each 23rd pixel; how many show a surface.
+fn compared_with_ledgers(scene: &Scene, view: &View, name: &str) -> u32 {
+    let layers = [Layer::Diffuse, Layer::Specular, Layer::Light("lamp".to_owned())];
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
+    let values = renderer.layers(view, &layers).unwrap();
+    // What is kept of a term does not depend on which others are.
+    for (layer, values) in layers.iter().zip(&values) {
+        assert!(renderer.layers(view, std::slice::from_ref(layer)).unwrap()[0] == *values);
+    }
+    let pixels: Vec<_> = (0..6300).step_by(23).map(|at| [at % 90, at / 90]).collect();
+    let mut compared = 0;
+    for explained in renderer.explain_pixels(view, &pixels).unwrap() {
+        let [x, y] = explained.pixel;
+        let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
+        let mut sums = [Rgb::splat(0.0, [0.0; 3]); 3];
+        for (number, light) in surface.lights.iter().enumerate() {
+            let terms = &light.terms;
+            sums = [sums[0] + terms.diffuse, sums[1] + terms.specular, sums[2]];
+            if number == 1 {
+                sums[2] = terms.ambient + terms.diffuse + terms.specular;
+            }
+        }
+        for (layer, sum) in values.iter().zip(sums) {
+            let LayerValues::F32(values) = layer else { panic!("light is no whole number") };
+            let at = 3 * (y * 90 + x) as usize;
+            assert_eq!(values[at..at + 3], sum.lane(0), "{name}: {x}, {y}");
+        }
+        compared += 1;
+    }
+    compared
+}
+
 #[test]
 fn layers_of_light_from_elsewhere_than_pixels_are_sums_of_the_ledgers_terms() {
-    let layers = [Layer::Diffuse, Layer::Specular, Layer::Light("lamp".to_owned())];
     let mut compared = 0;
     for name in ["plane", "cornell", "spheres"] {
         let scene = demos::demo(name).unwrap();
-        let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
         // Every mode but light at pixels, and in shadow.
         for (round, in_shadow) in [1, 2, 3, 4, 6, 7].map(|round| (round, round < 3)) {
             let view = styled(&scene, round, 1).with_lights(many_lights(&scene)).with_fog(None);
             let view = occluded(view, in_shadow);
-            let values = renderer.layers(&view, &layers).unwrap();
-            let pixels: Vec<_> = (0..6300).step_by(23).map(|at| [at % 90, at / 90]).collect();
-            for explained in renderer.explain_pixels(&view, &pixels).unwrap() {
-                let [x, y] = explained.pixel;
-                let Some(surface) = explained.samples[0].seen[0].surface() else { continue };
-                let mut sums = [Rgb::splat(0.0, [0.0; 3]); 3];
-                for (number, light) in surface.lights.iter().enumerate() {
-                    let terms = &light.terms;
-                    sums = [sums[0] + terms.diffuse, sums[1] + terms.specular, sums[2]];
-                    if number == 1 {
-                        sums[2] = terms.ambient + terms.diffuse + terms.specular;
-                    }
-                }
-                for (layer, sum) in values.iter().zip(sums) {
-                    let LayerValues::F32(values) = layer else {
-                        panic!("light is no whole number")
-                    };
-                    let at = 3 * (y * 90 + x) as usize;
-                    assert_eq!(values[at..at + 3], sum.lane(0), "{name}, round {round}: {x}, {y}");
-                }
-                compared += 1;
-            }
+            compared += compared_with_ledgers(&scene, &view, &format!("{name}, round {round}"));
         }
     }
     assert!(compared > 1000, "{compared}");
+}
+
+/// Squares side by side, smaller than two pixels, whose rows have the same low bits in their triangles' ids.
+fn mosaic() -> Scene {
+    let colors = [[0.9, 0.2, 0.1], [0.1, 0.3, 0.8]];
+    let mut mosaic = scene(colors.map(|color| (square(0.0), matte(color))).to_vec());
+    mosaic.nodes = (0..64 * 50)
+        .map(|number| {
+            let (column, row) = (number % 64, number / 64);
+            let tilt = DMat4::from_rotation_y(0.01 * f64::from(number % 97));
+            let place = DVec3::new(2.1 * f64::from(column), 2.1 * f64::from(row), 0.0);
+            Node {
+                parent_from_node: (DMat4::from_translation(place) * tilt).into(),
+                ..Node::root(format!("square {number}"), Some(MeshId(number % 2)))
+            }
+        })
+        .collect();
+    mosaic
+}
+
+#[test]
+fn layers_of_many_triangles_and_materials_are_sums_of_the_ledgers_terms() {
+    let demo = |name: &'static str| (name, demos::demo(name).unwrap());
+    for (name, scene) in [demo("blob"), demo("spheres"), ("mosaic", mosaic())] {
+        for mode in [ShadingMode::Flat, ShadingMode::Gouraud] {
+            for clamp in [Clamp::End, Clamp::Vertex] {
+                let shading = Shading { mode, clamp, ..Shading::default() };
+                let view = styled(&scene, 0, 1).with_lights(many_lights(&scene));
+                let view = view.with_fog(None).with_shading(shading);
+                let compared =
+                    compared_with_ledgers(&scene, &view, &format!("{name}, {shading:?}"));
+                assert!(compared > 50, "{compared}");
+            }
+        }
+    }
 }
 
 #[test]
