@@ -10,7 +10,6 @@ use fearless_simd::{
     ExtractToken, Simd, f32x4, f32x8, f32x16, i32x8, i32x16, mask32x8, mask32x16, prelude::*,
     u32x8, u32x16,
 };
-use std::hint::black_box;
 
 /// Whether the instruction set's own minimum and maximum are `a < b ? a : b` and `a > b ? a : b`, bit
 /// for bit, with NaN and both zeros: x86's are, others treat NaN in ways of their own.
@@ -31,7 +30,7 @@ fn compares_in_min_and_max<S: Simd>(simd: S) -> bool {
 fn loaded_whole<S: Simd, V>(simd: S, stored: V) -> V {
     match simd.level() {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx2(_) => black_box(stored),
+        Level::Avx2(_) => std::hint::black_box(stored),
         _ => stored,
     }
 }
