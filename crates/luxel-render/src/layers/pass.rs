@@ -89,7 +89,7 @@ impl Renderer {
                 has_numbers: layers.iter().any(Layer::is_id),
                 with_terms,
                 is_lit_elsewhere: if are_mixed { wanted.any() } else { with_terms && !at_pixels },
-                wanted: are_mixed.then_some(wanted),
+                wanted: (are_mixed && wanted.any()).then_some(wanted),
                 has_lights: layers.iter().any(shows_one_light),
             };
             let are_all_drawn = pass.pixels.is_some() && scene.backdrop.is_some();
@@ -132,7 +132,7 @@ pub(super) struct Pass<'p> {
     with_terms: bool,
     /// Whether layers show terms of light that may be computed elsewhere than at pixels.
     pub(super) is_lit_elsewhere: bool,
-    /// What to keep of triangles' terms, where samples mix them.
+    /// What to keep of triangles' terms, where samples mix them and layers show any.
     wanted: Option<WantedTerms>,
     /// Whether layers show what comes of single lights.
     has_lights: bool,
@@ -241,7 +241,7 @@ impl<'p> Pass<'p> {
                 self.fill_rows(worker, first);
                 continue;
             }
-            if self.is_lit_elsewhere && self.wanted.is_some() {
+            if self.wanted.is_some() {
                 let Worker { opaque, cache, .. } = &mut *worker.worker;
                 let blocks = opaque.planes()[0].ids[first..first + AHEAD].iter();
                 cache.terms.look_ahead(f32x16::splat(simd, 0.0), self.scene, blocks);

@@ -41,16 +41,20 @@ impl PlaceTerms {
         };
         let Ledger { emission, scene_ambient, environment, environment_diffuse, .. } = heard.0;
         let Ledger { sum, lights, .. } = heard.0;
-        let kept = [0, 1, 2].map(|channel| match sum[channel] == light[channel] {
-            true => 1.0,
-            false => light[channel] / sum[channel],
-        });
+        let kept = kept_of(Rgb::splat(0.0, sum), Rgb::splat(0.0, light)).lane(0);
         Self { emission, scene_ambient, environment, environment_diffuse, lights, kept }
     }
 
     fn environment_diffuse(&self) -> Option<Rgb<f32>> {
         self.environment_diffuse.map(|light| Rgb::splat(0.0, light))
     }
+}
+
+/// The part of each channel of a sum of terms that clamping leaves as light.
+#[inline(always)]
+pub(super) fn kept_of<N: Lanes>(sum: Rgb<N>, light: Rgb<N>) -> Rgb<N> {
+    let kept = |sum: N, light: N| sum.one().select(sum.equal(light), light / sum);
+    Rgb::new(kept(sum.r, light.r), kept(sum.g, light.g), kept(sum.b, light.b))
 }
 
 /// Writes down the terms of a place, without the parts of models.

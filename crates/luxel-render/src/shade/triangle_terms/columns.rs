@@ -3,7 +3,7 @@
 use super::places::Places;
 use crate::context::ShadingContext;
 use crate::material::{SurfaceWitness, lights_with};
-use crate::shade::place_terms::{PlaceTerms, Term, TermsOfPlace};
+use crate::shade::place_terms::{PlaceTerms, Term, TermsOfPlace, kept_of};
 use luxel_lighting::{LightTerms, Terms, Witness};
 use luxel_math::{LANES, Lanes, Rgb, SplitLanes};
 
@@ -218,10 +218,7 @@ impl SplitLanes for Lit<'_> {
             let light = lights_with(scene, &attributes, (number, lanes), &mut heard);
             let sum = heard.sum;
             if layout.kept.is_some() {
-                let kept = |sum: N, light: N| simd.one().select(sum.equal(light), light / sum);
-                let kept =
-                    Rgb::new(kept(sum.r, light.r), kept(sum.g, light.g), kept(sum.b, light.b));
-                terms.put(layout.kept, first, kept);
+                terms.put(layout.kept, first, kept_of(sum, light));
             }
         }
     }
