@@ -160,7 +160,7 @@ impl PickView<'_> {
         }
         // Both of its sides are looked at: that it is seen is known.
         let probe = &self.tree(instance).probe;
-        let in_plane = probe.covers(corners, CullFaces::None, position);
+        let in_plane = probe.covers(corners, CullFaces::None, 0, position);
         in_plane.map_or(0.0, |in_plane| f64::from(in_plane) - f64::from(depth))
     }
 
@@ -425,7 +425,7 @@ mod tests {
                 assert_eq!(own, bits(Level::baseline()) & all);
                 for lane in 0..block.count() {
                     let corners = block.corners(lane, positions);
-                    let covers = instance.probe.covers(corners, CullFaces::None, position);
+                    let covers = instance.probe.covers(corners, CullFaces::None, 0, position);
                     let is_candidate = own >> lane & 1 != 0;
                     assert!(is_candidate || covers.is_none(), "{position:?} {corners:?}");
                     counts[0] += 1;

@@ -1,11 +1,11 @@
 //! One view of a list of instances: culled and binned once, then drawn tile by tile.
 
 use crate::cluster::{Instance, Instances, TooManyTriangles, TriangleOf};
-use crate::cull::{Bins, VisibleCluster, visible_clusters};
-use crate::query::{Forms, Probe, SeenCluster, WindowRays};
+use crate::cull::{Bins, Tiles, VisibleCluster, visible_clusters};
+use crate::query::{Forms, ProbedCluster, SeenCluster, WindowRays};
 use crate::raster::{self, LargeClusters, Plane, Tile};
 use crate::types::{
-    Asked, Coverage, Holes, MAX_SIDE, PartUse, Samples, TILE, TriangleId, ViewFromLocal,
+    Asked, Coverage, Holes, MAX_SIDE, PartUse, Region, Samples, TILE, TriangleId, ViewFromLocal,
 };
 use glam::DVec3;
 use luxel_math::{Level, SUBPIXELS, dispatch};
@@ -67,17 +67,39 @@ impl<'a> Frame<'a> {
         samples: Samples,
         level: Level,
     ) -> Result<Self, TooManyTriangles> {
+        Self::of_part(instances, projection, size, Region::whole(size), samples, level)
+    }
+
+    /// [`Frame::new`] for a part of the window: its tiles are drawn as in the whole frame. Other tiles lack the clusters
+    /// that don't reach it.
+    ///
+    /// # Errors
+    /// As [`Frame::new`].
+    ///
+    /// # Panics
+    /// As [`Frame::new`].
+    pub fn of_part(
+        instances: Vec<Instance<'a>>,
+        projection: &Projection,
+        size: Size,
+        part: Region,
+        samples: Samples,
+        level: Level,
+    ) -> Result<Self, TooManyTriangles> {
         assert!(
             [size.width, size.height].iter().all(|side| (1..=MAX_SIDE).contains(side)),
             "a window of {} x {} pixels: a side has 1 to {MAX_SIDE}",
             size.width,
             size.height,
         );
+        let tiles = Tiles::of_region(part, size);
         let instances = Instances::new(instances, projection, size)?;
         let (blended, opaque): (Vec<_>, Vec<_>) =
-            visible_clusters(&instances, projection, size, level).partition(|visible| {
-                instances.part_use(visible.cluster).coverage == Coverage::Blended
-            });
+            visible_clusters(&instances, projection, size, level)
+                .filter_map(|visible| visible.within(tiles))
+                .partition(|visible| {
+                    instances.part_use(visible.cluster).coverage == Coverage::Blended
+                });
         let binned = |clusters| Binned::new(clusters, &instances, size, samples, level);
         let (opaque, blended) = (binned(opaque), binned(blended));
         Ok(Self {
@@ -202,18 +224,19 @@ impl<'a> Frame<'a> {
                 && (cluster.top..=cluster.bottom).contains(&y)
         };
         let clusters = self.blended.clusters.of_tile(number).filter(reaches);
-        let of_clusters = clusters.flat_map(|cluster| self.instances.triangles_of(cluster.cluster));
-        let mut covering: Vec<(f32, u64, TriangleId)> = large
-            .chain(of_clusters)
-            .filter_map(|id| {
-                let cluster = self.cluster(id);
-                let probe = Probe::of(self.instances.window_from_local(cluster.instance()));
-                let cull = self.instances.part_use(id.cluster()).cull;
-                let depth = probe.covers(cluster.positions(id), cull, position)?;
-                let is_hole = holes.holes(&Asked::one(id, position)) != 0;
-                (!is_hole).then(|| (depth, self.instances.submitted(id), id))
-            })
-            .collect();
+        let mut covering: Vec<(f32, u64, TriangleId)> = Vec::new();
+        let mut add = |id: TriangleId, cluster: &ProbedCluster<'_>| {
+            let covers = cluster.covers(id, position);
+            let seen = covers.filter(|_| holes.holes(&Asked::one(id, position)) == 0);
+            covering.extend(seen.map(|depth| (depth, self.instances.submitted(id), id)));
+        };
+        for id in large {
+            add(id, &ProbedCluster::new(&self.instances, id.cluster()));
+        }
+        for VisibleCluster { cluster, .. } in clusters {
+            let probed = ProbedCluster::new(&self.instances, *cluster);
+            self.instances.triangles_of(*cluster).for_each(|id| add(id, &probed));
+        }
         covering.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         covering.into_iter().map(|(.., id)| id).collect()
     }

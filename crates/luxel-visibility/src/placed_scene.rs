@@ -3,7 +3,7 @@
 use crate::cluster::{Clusters, Instance, TooManyTriangles};
 use crate::frame::Frame;
 use crate::query::{InstanceSpace, Strokes, ViewSpace, strokes};
-use crate::types::{Coverage, CullFaces, PartUse, Samples, ViewFromLocal};
+use crate::types::{Coverage, CullFaces, PartUse, Region, Samples, ViewFromLocal};
 use glam::DMat4;
 use luxel_math::Level;
 use luxel_scene::{
@@ -281,7 +281,8 @@ impl<'s> PlacedScene<'s> {
         (first + within, Some(triangle))
     }
 
-    /// Culls and bins the instances, `clusters` those of the scene's meshes.
+    /// Culls and bins the instances for a part of the window, `clusters` those of the scene's meshes: see
+    /// [`Frame::of_part`].
     ///
     /// # Errors
     /// [`TooManyTriangles`] beyond some billions.
@@ -291,6 +292,7 @@ impl<'s> PlacedScene<'s> {
     pub fn frame<'a>(
         &'a self,
         clusters: &'a [Clusters],
+        part: Region,
         samples: Samples,
         level: Level,
     ) -> Result<Frame<'a>, TooManyTriangles> {
@@ -307,7 +309,7 @@ impl<'s> PlacedScene<'s> {
         });
         let (instances, projection) = (instances.collect(), &self.camera.projection);
         luxel_parallel::install(None, || {
-            Frame::new(instances, projection, self.size, samples, level)
+            Frame::of_part(instances, projection, self.size, part, samples, level)
         })
     }
 }

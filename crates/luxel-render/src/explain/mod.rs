@@ -19,7 +19,7 @@ pub use ledger::{
 pub use occluded::{Hidden, NEAREST_WITHIN, NearestObject, SurfaceBelow, Unseen};
 
 use crate::context::{Heard, LitAt, ShadingContext};
-use crate::frame::{RenderError, Renderer, lights_with_terms};
+use crate::frame::{FrameNeeds, RenderError, Renderer, lights_with_terms};
 use crate::interpolate::Batch;
 use crate::resolve::{self, Layered, bytes_of};
 use crate::shade::{MixedTerms, ThreadCache, VisibleLights, shade};
@@ -28,7 +28,7 @@ use luxel_lighting::{Reflectance, SurfacePoint};
 use luxel_math::{LANES, Rgb, SUBPIXELS};
 use luxel_scene::{SceneLight, Size};
 use luxel_view::View;
-use luxel_visibility::{BLOCK, CoveragePolicy, Samples, TILE, Tile, TriangleId};
+use luxel_visibility::{BLOCK, Region, Samples, TILE, Tile, TriangleId};
 use shadow::openness_of;
 use vertex_terms::{Interpolated, evaluated_at};
 use written::Written;
@@ -65,6 +65,17 @@ fn steps_of([x, y]: [f64; 2], size: Size) -> Option<[i32; 2]> {
         is_inside.then(|| (step as i32).min(side as i32 * SUBPIXELS - 1))
     };
     Some([steps(x, size.width)?, steps(y, size.height)?])
+}
+
+/// The region that holds all of some pixels.
+fn around(pixels: &[[u32; 2]]) -> Region {
+    let side = |axis: usize| {
+        let places = pixels.iter().map(|pixel| pixel[axis] as i32);
+        let first = places.clone().min().unwrap_or_default();
+        (first, places.max().map_or(0, |last| last - first + 1))
+    };
+    let ((x, width), (y, height)) = (side(0), side(1));
+    Region { x, y, width, height }
 }
 
 impl Renderer {
@@ -105,39 +116,39 @@ impl Renderer {
         only: Option<[i32; 2]>,
     ) -> Result<Vec<Explanation>, RenderError> {
         let view = view.clone().with_edges(None);
-        self.with_scene(
-            &view,
-            CoveragePolicy::DRAWN,
-            only.map(Samples::one_at),
-            Heard::EVERYTHING,
-            |scene, cutouts| {
-                let mut worker = self.worker(scene.frame.samples());
-                let mut kept = ThreadCache::new();
-                let [across, _] = scene.frame.tiles();
-                let tile_of = |side: u32| side as usize / TILE as usize;
-                let (mut drawn, mut layers) = (None, Vec::new());
-                let mut explain = |&pixel: &[u32; 2]| {
-                    let number = tile_of(pixel[1]) * across + tile_of(pixel[0]);
-                    if drawn != Some(number) {
-                        let holes = cutouts.finder(scene.frame, self.level());
-                        scene.frame.draw_opaque(self.level(), number, &holes, &mut worker.opaque);
-                        layers.clear();
-                        let mut keep = |layer: &Tile| layers.push(layer.clone());
-                        self.peel(scene, number, &holes, &mut worker, &mut keep);
-                        drawn = Some(number);
-                    }
-                    let place = Tile::place(pixel[0] as i32 % TILE, pixel[1] as i32 % TILE);
-                    PixelScene { scene, view: &view, renderer: self, place }.explain(
-                        pixel,
-                        only,
-                        &worker.opaque,
-                        &layers,
-                        &mut kept,
-                    )
-                };
-                pixels.iter().map(&mut explain).collect()
-            },
-        )
+        let needs = FrameNeeds {
+            samples: only.map(Samples::one_at),
+            heard: Heard::EVERYTHING,
+            part: Some(around(pixels)),
+            ..FrameNeeds::PICTURE
+        };
+        self.with_scene(&view, &needs, |scene, cutouts| {
+            let mut worker = self.worker(scene.frame.samples());
+            let mut kept = ThreadCache::new();
+            let [across, _] = scene.frame.tiles();
+            let tile_of = |side: u32| side as usize / TILE as usize;
+            let (mut drawn, mut layers) = (None, Vec::new());
+            let mut explain = |&pixel: &[u32; 2]| {
+                let number = tile_of(pixel[1]) * across + tile_of(pixel[0]);
+                if drawn != Some(number) {
+                    let holes = cutouts.finder(scene.frame, self.level());
+                    scene.frame.draw_opaque(self.level(), number, &holes, &mut worker.opaque);
+                    layers.clear();
+                    let mut keep = |layer: &Tile| layers.push(layer.clone());
+                    self.peel(scene, number, &holes, &mut worker, &mut keep);
+                    drawn = Some(number);
+                }
+                let place = Tile::place(pixel[0] as i32 % TILE, pixel[1] as i32 % TILE);
+                PixelScene { scene, view: &view, renderer: self, place }.explain(
+                    pixel,
+                    only,
+                    &worker.opaque,
+                    &layers,
+                    &mut kept,
+                )
+            };
+            pixels.iter().map(&mut explain).collect()
+        })
     }
 }
 

@@ -3,12 +3,11 @@
 
 use super::ledger::{ExplainedSample, Explanation, Seen};
 use super::steps_of;
-use crate::context::Heard;
-use crate::frame::{RenderError, Renderer};
+use crate::frame::{FrameNeeds, RenderError, Renderer};
 use luxel_math::SUBPIXELS;
 use luxel_scene::Size;
 use luxel_view::View;
-use luxel_visibility::{CoveragePolicy, Cull, Samples, TILE, Tile, TriangleId};
+use luxel_visibility::{CoveragePolicy, Cull, Region, Samples, TILE, Tile, TriangleId};
 
 /// A surface under a place of the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,41 +68,58 @@ impl Renderer {
     /// [`RenderError`] if the view asks for something impossible, or the place lies outside of it.
     pub fn below(&self, view: &View, place: [f64; 2]) -> Result<Vec<SurfaceBelow>, RenderError> {
         let steps = steps_of(place, view.size).ok_or(RenderError::Outside(view.size))?;
-        let pixel = steps.map(|steps| steps / SUBPIXELS);
         let sample = Samples::one_at(steps.map(|steps| steps % SUBPIXELS));
+        let below = self.below_samples(view, Some(sample), &[steps])?;
+        Ok(below.into_iter().next().unwrap_or_default())
+    }
+
+    /// [`Renderer::below`] at samples of one pixel, given by steps of 1/256 pixel from the window's corner. `pattern` holds
+    /// them; it is the view's if it is `None`.
+    fn below_samples(
+        &self,
+        view: &View,
+        pattern: Option<Samples>,
+        samples: &[[i32; 2]],
+    ) -> Result<Vec<Vec<SurfaceBelow>>, RenderError> {
+        let Some([x, y]) = samples.first().map(|steps| steps.map(|steps| steps / SUBPIXELS)) else {
+            return Ok(Vec::new());
+        };
         let view = view.clone().with_edges(None);
         let eye = view.camera.eye();
-        self.with_scene(
-            &view,
-            CoveragePolicy::LAYERS,
-            Some(sample),
-            Heard::NOTHING,
-            |scene, cutouts| {
-                let frame = scene.frame;
-                let holes = cutouts.finder(frame, self.level());
-                let [across, _] = frame.tiles();
-                let number = (pixel[1] / TILE) as usize * across + (pixel[0] / TILE) as usize;
+        let needs = FrameNeeds {
+            coverage: CoveragePolicy::LAYERS,
+            samples: pattern,
+            part: Some(Region { x, y, width: 1, height: 1 }),
+            ..FrameNeeds::PICTURE
+        };
+        self.with_scene(&view, &needs, |scene, cutouts| {
+            let frame = scene.frame;
+            let holes = cutouts.finder(frame, self.level());
+            let [across, _] = frame.tiles();
+            let number = (y / TILE) as usize * across + (x / TILE) as usize;
+            let surface = |id: TriangleId, steps: [i32; 2]| {
+                let of = frame.triangle(id)?;
+                let weights = frame.forms(of).barycentric(frame.rays(), steps);
+                let [a, b, c] = frame.corners_in_view(of);
+                let [_, second, third] = weights.map(f64::from);
+                let in_view = a + (b - a) * second + (c - a) * third;
+                let z = -in_view.z;
+                let (object, triangle) = scene.placed.object_of(of.instance, of.triangle);
+                Some(SurfaceBelow {
+                    object,
+                    triangle,
+                    position: (scene.space(of.instance).view().world_from_view * in_view + eye)
+                        .to_array(),
+                    z,
+                    depth: view.camera.projection.window_depth(z),
+                })
+            };
+            let below = |&steps: &[i32; 2]| {
                 let found = frame.blended_at(number, steps, &holes).into_iter().take(MOST_BELOW);
-                let surface = |id: TriangleId| {
-                    let of = frame.triangle(id)?;
-                    let weights = frame.forms(of).barycentric(frame.rays(), steps);
-                    let [a, b, c] = frame.corners_in_view(of);
-                    let [_, second, third] = weights.map(f64::from);
-                    let in_view = a + (b - a) * second + (c - a) * third;
-                    let z = -in_view.z;
-                    let (object, triangle) = scene.placed.object_of(of.instance, of.triangle);
-                    Some(SurfaceBelow {
-                        object,
-                        triangle,
-                        position: (scene.space(of.instance).view().world_from_view * in_view + eye)
-                            .to_array(),
-                        z,
-                        depth: view.camera.projection.window_depth(z),
-                    })
-                };
-                found.filter_map(surface).collect()
-            },
-        )
+                found.filter_map(|id| surface(id, steps)).collect()
+            };
+            samples.iter().map(below).collect()
+        })
     }
 
     /// The nearest pixel to one, at most `within` pixels away, whose centre shows something; `None`
@@ -122,18 +138,24 @@ impl Renderer {
             return Err(RenderError::Outside(view.size));
         }
         let view = view.clone().with_edges(None).with_samples(1);
-        self.with_scene(&view, CoveragePolicy::NEAREST, None, Heard::NOTHING, |scene, cutouts| {
+        let first = pixel.map(|side| side.saturating_sub(within));
+        let last =
+            [0, 1].map(|axis| pixel[axis].saturating_add(within).min([width, height][axis] - 1));
+        let [wide, high] = [0, 1].map(|axis| (last[axis] - first[axis] + 1) as i32);
+        let [x, y] = first.map(|side| side as i32);
+        let needs = FrameNeeds {
+            coverage: CoveragePolicy::NEAREST,
+            part: Some(Region { x, y, width: wide, height: high }),
+            ..FrameNeeds::PICTURE
+        };
+        self.with_scene(&view, &needs, |scene, cutouts| {
             let frame = scene.frame;
             let holes = cutouts.finder(frame, self.level());
             let tile_side = TILE as u32;
             let [across, _] = frame.tiles();
             let mut tile = Tile::new(1);
             let mut nearest: Option<(u64, NearestObject)> = None;
-            let first = pixel.map(|side| side.saturating_sub(within) / tile_side);
-            let last = [
-                pixel[0].saturating_add(within).min(width - 1) / tile_side,
-                pixel[1].saturating_add(within).min(height - 1) / tile_side,
-            ];
+            let [first, last] = [first, last].map(|pixel| pixel.map(|side| side / tile_side));
             for row in first[1]..=last[1] {
                 for column in first[0]..=last[0] {
                     let number = row as usize * across + column as usize;
@@ -172,12 +194,15 @@ impl Unseen {
         view: &View,
         explanation: &Explanation,
     ) -> Result<Self, RenderError> {
+        let samples = explanation.samples.iter().filter_map(|entry| steps_of(entry.at, view.size));
+        let samples: Vec<_> = samples.collect();
+        let only = explanation.position.and_then(|_| samples.first());
+        let pattern = only.map(|steps| Samples::one_at(steps.map(|steps| steps % SUBPIXELS)));
+        let drawn = renderer.below_samples(view, pattern, &samples)?;
         let with_backs = view.clone().with_cull(Cull::None);
-        let hidden = |entry: &ExplainedSample| {
-            let drawn = renderer.below(view, entry.at)?;
-            Ok(hidden(entry, &drawn, &renderer.below(&with_backs, entry.at)?))
-        };
-        let entries = explanation.samples.iter().map(hidden).collect::<Result<_, RenderError>>()?;
+        let all = renderer.below_samples(&with_backs, pattern, &samples)?;
+        let entries = explanation.samples.iter().zip(drawn.iter().zip(&all));
+        let entries = entries.map(|(entry, (drawn, all))| hidden(entry, drawn, all)).collect();
         let mut seen = explanation.samples.iter().flat_map(|entry| &entry.seen);
         let nearest = if seen.any(|seen| seen.surface().is_some()) {
             None

@@ -2,15 +2,14 @@
 
 use super::error::RenderError;
 use super::finished_tile::{FinishTile, Pixels};
+use super::frame_needs::FrameNeeds;
 use super::picture::Picture;
 use super::renderer::Renderer;
 use super::tiles::TilePixels;
-use crate::context::Heard;
 use crate::resolve::{Bytes, Finish, empty_pixel};
 use luxel_scene::Size;
 use luxel_view::View;
-use luxel_visibility::CoveragePolicy;
-use luxel_visibility::TILE;
+use luxel_visibility::{Region, TILE};
 
 impl Renderer {
     /// The bytes of a part of a view's picture, as they are in [`Renderer::rgba8`]: `part` pixels
@@ -34,8 +33,11 @@ impl Renderer {
             pixel[0].saturating_sub(part.width / 2).min(width - part.width),
             pixel[1].saturating_sub(part.height / 2).min(height - part.height),
         ];
+        let [x, y] = corner.map(|side| side as i32);
+        let drawn = Region { x, y, ..Region::whole(part) };
+        let needs = FrameNeeds { part: Some(drawn), ..FrameNeeds::PICTURE };
         let mut pixels = vec![[0; 4]; part.width as usize * part.height as usize];
-        self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, cutouts| {
+        self.with_scene(view, &needs, |scene, cutouts| {
             let mut worker = self.worker(scene.frame.samples());
             let finish = Bytes(view.encoding);
             let background = finish.pixel(empty_pixel(scene));

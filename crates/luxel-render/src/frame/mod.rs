@@ -3,6 +3,7 @@
 mod crop;
 mod error;
 mod finished_tile;
+mod frame_needs;
 mod frame_setup;
 mod picture;
 mod renderer;
@@ -16,6 +17,7 @@ pub use picture::{Picture, Stages, Subdivision};
 pub use renderer::{Prepared, Renderer};
 pub use tile_drawing::TileDrawing;
 
+pub(crate) use frame_needs::FrameNeeds;
 pub(crate) use frame_setup::{ambient, placed_lights};
 pub(crate) use renderer::lights_with_terms;
 pub(crate) use tile_shading::{AHEAD, ALL_BLOCKS, Worker, look_ahead};

@@ -5,6 +5,7 @@ mod prepared;
 
 use super::error::{MAX_SIDE, RenderError};
 use super::finished_tile::{FinishTile, FinishedTile};
+use super::frame_needs::FrameNeeds;
 use super::frame_setup;
 use super::picture::{Picture, Stages};
 use super::tile_drawing::TileDrawing;
@@ -12,7 +13,7 @@ use super::tile_shading::{Worker, add_layer, tile_pixels};
 use super::tiles::{NEVER, unless_stopped};
 use super::workers::{BusyWorker, Workers};
 use crate::backdrop::{Around, Backdrop, Ground};
-use crate::context::{AttributeMask, Heard, ShadingContext};
+use crate::context::{AttributeMask, ShadingContext};
 use crate::coverage::{AlphaTest, EdgeFlags};
 use crate::execution::Execution;
 use crate::polygons::Polygons;
@@ -26,7 +27,7 @@ use luxel_rays::{MeshTrees, SceneRays};
 use luxel_scene::{AlphaMode, Bounds, CoplanarRanks, Mesh, Object, Part, Scene, SceneLight, Size};
 use luxel_view::{EnvironmentChoice, Interpolation, Shading, ShadingMode, View};
 use luxel_visibility::{
-    Clusters, CoveragePolicy, Frames, Holes, PlacedInstance, PlacedScene, Samples, Tile, ViewRays,
+    Clusters, Frames, Holes, PlacedInstance, PlacedScene, Region, Samples, Tile, ViewRays,
 };
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
@@ -216,7 +217,7 @@ impl Renderer {
         picture: &mut Picture<F::Pixel>,
     ) -> Result<(), RenderError> {
         let begin = self.now();
-        self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, alpha_test| {
+        self.with_scene(view, &FrameNeeds::PICTURE, |scene, alpha_test| {
             let bin = self.now() - begin;
             let drawing = TileDrawing::new(self, scene, alpha_test);
             drawing.draw(finish, &|_| true, stop, picture);
@@ -276,20 +277,15 @@ impl Renderer {
     }
 
     /// Culls, bins and transforms the scene for `view`.
-    ///
-    /// `samples` are the view's unless they are given; `heard` is what witnesses hear beside
-    /// what shading needs.
     pub(crate) fn with_scene<R: Send>(
         &self,
         view: &View,
-        covers: CoveragePolicy,
-        samples: Option<Samples>,
-        heard: Heard,
+        needs: &FrameNeeds,
         work: impl FnOnce(&ShadingContext<'_>, &AlphaTest<'_>) -> R + Send,
     ) -> Result<R, RenderError> {
         let mut work = Some(work);
         let mut result = None;
-        self.prepare_frame(view, covers, samples, heard, &mut |scene, cutouts| {
+        self.prepare_frame(view, needs, &mut |scene, cutouts| {
             result = work.take().map(|work| work(scene, cutouts));
         })?;
         Ok(result.unwrap_or_else(|| unreachable!("the work is done once")))
@@ -299,20 +295,19 @@ impl Renderer {
     fn prepare_frame(
         &self,
         view: &View,
-        covers: CoveragePolicy,
-        samples: Option<Samples>,
-        heard: Heard,
+        needs: &FrameNeeds,
         work: &mut (dyn FnMut(&ShadingContext<'_>, &AlphaTest<'_>) + Send),
     ) -> Result<(), RenderError> {
         let Size { width, height } = view.size;
         if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
             return Err(RenderError::Size(width, height));
         }
-        let samples = samples
+        let samples = needs
+            .samples
             .or_else(|| Samples::new(view.samples))
             .ok_or(RenderError::Samples(view.samples))?;
         self.install(|| {
-            let rules = frame_setup::surface_rules(view, covers);
+            let rules = frame_setup::surface_rules(view, needs.coverage);
             let ranks = self.ranks.get_or_compute(|| CoplanarRanks::of(&self.scene, &self.objects));
             let darkens_surfaces = view.shadows || view.ambient_occlusion.is_some();
             if darkens_surfaces || view.ground {
@@ -320,8 +315,9 @@ impl Renderer {
                 self.rays()?;
             }
             let objects = (&self.objects[..], ranks);
+            let part = needs.part.unwrap_or_else(|| Region::whole(view.size));
             let placed = PlacedScene::new(&self.scene, objects, &view.camera, view.size, &rules);
-            let frame = placed.frame(&self.clusters, samples, self.level)?;
+            let frame = placed.frame(&self.clusters, part, samples, self.level)?;
             let lights = frame_setup::placed_lights(view, &self.scene);
             let floor = view.ground.then(|| self.floor(view));
             let of_surfaces = (view.shadows, view.ambient_occlusion);
@@ -374,7 +370,7 @@ impl Renderer {
                 .scene
                 .materials
                 .iter()
-                .map(|of| AttributeMask::of_material(of).or(heard.attributes))
+                .map(|of| AttributeMask::of_material(of).or(needs.heard.attributes))
                 .collect();
             let reads = |mesh: &Mesh, part: &Part| {
                 let of_material = attributes_of_materials[part.material.index()];
@@ -383,7 +379,7 @@ impl Renderer {
             let has_extras = |mesh: &Mesh| mesh.parts.iter().any(|part| reads(mesh, part));
             let has_extras = frame.instances().iter().any(|instance| has_extras(instance.mesh));
             let edges = view.edges.filter(|edges| !edges.wireframe);
-            let needs_positions = heard.positions
+            let needs_positions = needs.heard.positions
                 || view.fog.is_some()
                 || lights.iter().any(|light| light.light().kind.has_place());
             let polygons = self.polygons(view, placed.instances());
@@ -408,7 +404,7 @@ impl Renderer {
                 needs_flat_light_alone: view.shading.mode == ShadingMode::Flat
                     && view.shading.interpolation == Interpolation::Perspective
                     && !has_extras
-                    && !heard.surfaces
+                    && !needs.heard.surfaces
                     && fog.is_none()
                     && shadows.is_none(),
                 has_extras,

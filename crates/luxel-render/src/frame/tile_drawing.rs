@@ -2,15 +2,16 @@
 
 use super::error::RenderError;
 use super::finished_tile::{FinishTile, Pixels};
+use super::frame_needs::FrameNeeds;
 use super::picture::{Picture, Stages, Subdivision};
 use super::renderer::Renderer;
 use super::tiles::{Bands, NEVER, TilePixels, TileWork, for_tiles};
 use super::workers::BusyWorker;
-use crate::context::{Heard, ShadingContext};
+use crate::context::ShadingContext;
 use crate::coverage::AlphaTest;
 use crate::resolve::{Bytes, empty_pixel};
 use luxel_view::View;
-use luxel_visibility::{CoveragePolicy, TILE};
+use luxel_visibility::TILE;
 use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
@@ -54,7 +55,7 @@ impl Renderer {
         view: &View,
         work: impl FnOnce(&TileDrawing<'_>) -> R + Send,
     ) -> Result<R, RenderError> {
-        self.with_scene(view, CoveragePolicy::DRAWN, None, Heard::NOTHING, |scene, alpha_test| {
+        self.with_scene(view, &FrameNeeds::PICTURE, |scene, alpha_test| {
             work(&TileDrawing::new(self, scene, alpha_test))
         })
     }

@@ -7,8 +7,8 @@ use super::witness::{LayerWitness, LightLanes};
 use crate::context::{AttributeMask, Heard, ShadingContext};
 use crate::coverage::AlphaTest;
 use crate::frame::{
-    AHEAD, ALL_BLOCKS, Bands, BusyWorker, Picture, RenderError, Renderer, Stages, Subdivision,
-    TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
+    AHEAD, ALL_BLOCKS, Bands, BusyWorker, FrameNeeds, Picture, RenderError, Renderer, Stages,
+    Subdivision, TilePixels, TileWork, Worker, for_tiles, lights_with_terms, look_ahead, put_block,
     unless_stopped,
 };
 use crate::interpolate::{Batch, Fragments, Wanted, nearest_sample};
@@ -55,7 +55,8 @@ impl Renderer {
         let surfaces = positions || layers.iter().any(shows_surfaces);
         let heard = Heard { surfaces, positions, attributes };
         let start = self.now();
-        self.with_scene(&view, coverage, None, heard, |scene, alpha_test| {
+        let needs = FrameNeeds { coverage, heard, ..FrameNeeds::PICTURE };
+        self.with_scene(&view, &needs, |scene, alpha_test| {
             let bin = self.now() - start;
             let sums = Mutex::new(Stages::default());
             let mut picture = picture;

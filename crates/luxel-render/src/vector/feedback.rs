@@ -7,8 +7,8 @@
 //! keeps its corners' colours interpolated in clip coordinates, that is, with perspective.
 
 use super::primitives::{Clipper, InWindow, is_culled};
-use crate::context::{Heard, ShadingContext};
-use crate::frame::{RenderError, Renderer};
+use crate::context::ShadingContext;
+use crate::frame::{FrameNeeds, RenderError, Renderer};
 use crate::material::Corner;
 use crate::shade::{LitTriangle, displayed};
 use glam::DVec3;
@@ -38,15 +38,14 @@ impl Renderer {
         };
         let shading = Shading { mode, interpolation: Interpolation::Perspective, ..view.shading };
         let view = view.clone().with_shading(shading).with_edges(None);
-        self.with_scene(
-            &view,
-            CoveragePolicy::SOLID,
-            Some(Samples::ONE),
-            Heard::NOTHING,
-            |scene, _| {
-                Stream::new(scene, &view).tell(&mut take);
-            },
-        )
+        let needs = FrameNeeds {
+            coverage: CoveragePolicy::SOLID,
+            samples: Some(Samples::ONE),
+            ..FrameNeeds::PICTURE
+        };
+        self.with_scene(&view, &needs, |scene, _| {
+            Stream::new(scene, &view).tell(&mut take);
+        })
     }
 
     /// [`Renderer::feedback`], into a buffer with room for `room` values.

@@ -307,6 +307,38 @@ fn what_lies_below_a_place_begins_with_what_is_seen_there() {
     }
 }
 
+/// Sheets in one plane, which slopes away and which each cuts into other triangles.
+fn sheets() -> Scene {
+    let sheet = |turns: usize| {
+        let mut sheet = square(0.0);
+        sheet.positions.rotate_left(turns % 4);
+        for (number, [x, y, z]) in (0_u8..).zip(&mut sheet.positions) {
+            let wider = 1.0 + 0.1 * f32::from(number) * (turns as f32);
+            (*x, *y) = (*x * wider, *y * wider);
+            *z = 0.37 * *x - 0.61 * *y;
+        }
+        (sheet, matte([0.2 * turns as f32, 0.5, 0.5]))
+    };
+    scene((0..4).map(sheet).collect())
+}
+
+#[test]
+fn of_surfaces_in_one_plane_the_first_lies_before_the_others() {
+    let scene = sheets();
+    let renderer = Renderer::new(scene.clone(), &execution(1, SimdLevel::Auto)).unwrap();
+    let view = styled(&scene, 0, 1);
+    let mut random = Random(5);
+    let mut deep = 0;
+    for _ in 0..1000 {
+        let place = [90.0, 70.0].map(|side| side * f64::from(random.below(1000)) / 1000.0);
+        let below = renderer.below(&view, place).unwrap();
+        let objects: Vec<_> = below.iter().map(|surface| surface.object).collect();
+        assert!(objects.is_sorted(), "{place:?}: {objects:?}");
+        deep += usize::from(objects.len() == 4);
+    }
+    assert!(deep > 40, "{deep}");
+}
+
 #[test]
 fn the_nearest_object_is_the_nearest_pixel_that_is_covered() {
     let scene = demos::demo("spheres").unwrap();

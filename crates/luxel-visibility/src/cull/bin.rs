@@ -59,6 +59,14 @@ impl VisibleCluster {
     pub(crate) fn tiles(&self) -> Tiles {
         Tiles::of_pixels([self.left, self.top, self.right, self.bottom])
     }
+
+    /// What of it lies in some tiles; `None` if nothing does.
+    pub(crate) fn within(self, tiles: Tiles) -> Option<Self> {
+        let [left, top, right, bottom] = tiles.pixels();
+        let (left, right) = (self.left.max(left), self.right.min(right));
+        let (top, bottom) = (self.top.max(top), self.bottom.min(bottom));
+        (left <= right && top <= bottom).then_some(Self { left, top, right, bottom, ..self })
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Lists of what reaches each tile, near things first.
 
-use crate::types::TILE;
+use crate::types::{Region, TILE};
 use luxel_scene::Size;
 
 /// Tiles of a window that something reaches: first and last column and row.
@@ -20,12 +20,27 @@ impl Tiles {
         Self { left: left / SIDE, top: top / SIDE, right: right / SIDE, bottom: bottom / SIDE }
     }
 
+    /// The tiles that have pixels of a region, of which at least one lies in the window.
+    pub(crate) fn of_region(region: Region, size: Size) -> Self {
+        let [left, top, right, bottom] = region.sides();
+        let column = |x: i32| x.clamp(0, size.width as i32 - 1) as u16;
+        let row = |y: i32| y.clamp(0, size.height as i32 - 1) as u16;
+        Self::of_pixels([column(left), row(top), column(right), row(bottom)])
+    }
+
     pub(crate) fn count(self) -> u64 {
         u64::from(self.right - self.left + 1) * u64::from(self.bottom - self.top + 1)
     }
 
     pub(crate) fn contains(self, x: u16, y: u16) -> bool {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
+    }
+
+    /// The first and the last pixels: left, top, right and bottom.
+    pub(crate) fn pixels(self) -> [u16; 4] {
+        const SIDE: u16 = TILE as u16;
+        let Self { left, top, right, bottom } = self;
+        [left * SIDE, top * SIDE, right * SIDE + (SIDE - 1), bottom * SIDE + (SIDE - 1)]
     }
 
     fn for_each(self, tiles_across: usize, mut visit: impl FnMut(usize)) {

@@ -5,6 +5,7 @@ mod instance_transform;
 mod linear_form;
 mod lines_points;
 mod point_coverage;
+mod probed_cluster;
 mod projective;
 mod seen_cluster;
 mod tile_forms;
@@ -15,6 +16,7 @@ pub use barycentric::{Forms, LinearForms, PackedForms};
 pub use instance_transform::{InstanceSpace, ViewSpace, sides};
 pub use lines_points::{LINE_WIDTH, Strokes, strokes};
 pub use point_coverage::{Probe, ProbedTriangle, Reach};
+pub(crate) use probed_cluster::ProbedCluster;
 pub use projective::ProjectiveForms;
 pub use seen_cluster::{SeenCluster, ShadingCorners};
 pub use tile_forms::{

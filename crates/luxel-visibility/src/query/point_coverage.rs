@@ -2,7 +2,9 @@
 //! edge functions and depth as a frame's, so the same answer.
 
 use crate::raster::{Triangle, clip};
-use crate::types::{CullFaces, GUARD_BAND, Region, ViewFromLocal, WindowTransform, snap};
+use crate::types::{
+    CullFaces, GUARD_BAND, Region, ViewFromLocal, WindowTransform, WindowVertex, snap,
+};
 use luxel_math::{Lanes, SUBPIXELS};
 use luxel_scene::{Projection, Size};
 
@@ -27,8 +29,8 @@ impl Probe {
         Self { transform }
     }
 
-    /// The reversed depth with which a triangle, given by its positions about the mesh's origin,
-    /// covers the sample at `position` (in steps of 1/256 pixel); `None` if it doesn't.
+    /// The reversed depth with which a triangle, given by its positions about the mesh's origin and its
+    /// [rank](luxel_scene::CoplanarRanks), covers the sample at `position` (in steps of 1/256 pixel); `None` if it doesn't.
     ///
     /// In a frame the sample sees the triangle of the largest depth, the first submitted among
     /// equals.
@@ -37,9 +39,13 @@ impl Probe {
         &self,
         corners: [[f32; 3]; 3],
         cull: CullFaces,
+        rank: u8,
         position: [i32; 2],
     ) -> Option<f32> {
-        self.triangle(corners, cull, 0).covers(position)
+        // Most triangles are far away: their corners say so, and they needn't be set up.
+        let snapped = self.window_corners(corners);
+        let is_near = snapped.is_none_or(|snapped| holds(&snapped, position));
+        is_near.then(|| self.set_up(corners, snapped, cull, rank).covers(position))?
     }
 
     /// A triangle, given by its positions about the mesh's origin, set up for several samples, with a
@@ -47,14 +53,33 @@ impl Probe {
     #[inline]
     #[must_use]
     pub fn triangle(&self, corners: [[f32; 3]; 3], cull: CullFaces, rank: u8) -> ProbedTriangle {
-        let triangle = |corners| Some(Triangle::new(corners, cull)?.with_rank(rank));
+        self.set_up(corners, self.window_corners(corners), cull, rank)
+    }
+
+    /// The corners of a triangle in the window; `None` if it has to be clipped.
+    #[inline]
+    fn window_corners(&self, corners: [[f32; 3]; 3]) -> Option<[WindowVertex; 3]> {
         let transform = &self.transform;
         let corners = corners.map(|corner| transform.clip(corner));
-        if corners.iter().all(|&corner| transform.holds(corner)) {
-            let corners = corners.map(|corner| transform.window(corner));
-            return ProbedTriangle(Pieces::One(triangle(corners)));
+        let are_held = corners.iter().all(|&corner| transform.holds(corner));
+        are_held.then(|| corners.map(|corner| transform.window(corner)))
+    }
+
+    /// [`Probe::triangle`] of corners and what [`Probe::window_corners`] makes of them.
+    #[inline]
+    fn set_up(
+        &self,
+        corners: [[f32; 3]; 3],
+        snapped: Option<[WindowVertex; 3]>,
+        cull: CullFaces,
+        rank: u8,
+    ) -> ProbedTriangle {
+        let triangle = |corners| Some(Triangle::new(corners, cull)?.with_rank(rank));
+        if let Some(snapped) = snapped {
+            return ProbedTriangle(Pieces::One(triangle(snapped)));
         }
-        let polygon = clip(corners, transform);
+        let transform = &self.transform;
+        let polygon = clip(corners.map(|corner| transform.clip(corner)), transform);
         let pieces = polygon.triangles().filter_map(triangle);
         ProbedTriangle(Pieces::Clipped(pieces.collect()))
     }
@@ -180,6 +205,14 @@ fn extreme<N: Lanes>(row: &[f32; 4], first: [N; 3], second: [N; 3]) -> N {
     }
     let [x, y, z] = terms;
     x + y + z + x.constant(row[3])
+}
+
+/// Whether a position of the window lies in the box around a triangle.
+#[inline]
+fn holds(corners: &[WindowVertex; 3], [x, y]: [i32; 2]) -> bool {
+    let [a, b, c] = corners;
+    (a.x.min(b.x).min(c.x)..=a.x.max(b.x).max(c.x)).contains(&x)
+        && (a.y.min(b.y).min(c.y)..=a.y.max(b.y).max(c.y)).contains(&y)
 }
 
 /// See [`Probe::reach`].

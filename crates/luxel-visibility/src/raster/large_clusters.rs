@@ -107,7 +107,7 @@ fn set_up(
     let ranks = instances.ranks(number, cluster);
     let transform = instances.window_from_local(number);
     dispatch!(level, simd => transform_cluster(simd, &transform, block.vertices, [0; 2], vertices));
-    let window = Region { x: 0, y: 0, width: size.width as i32, height: size.height as i32 };
+    let window = Region::whole(size);
     for (slot, &word) in block.triangles.iter().enumerate() {
         let corners = corners_of(word).map(|corner| vertices.vertex(corner));
         let Some(triangle) = Triangle::new(corners, part.cull) else { continue };

@@ -1,6 +1,7 @@
 //! The grid of tiles and blocks that the window is divided into.
 
 use luxel_math::LANES;
+use luxel_scene::Size;
 
 /// Pixels of a tile's side. 64 gives a worker a piece that fits the cache (32 KiB a sample plane)
 /// and leaves some hundred pieces to share at usual sizes.
@@ -30,6 +31,12 @@ pub struct Region {
 }
 
 impl Region {
+    /// All pixels of a window.
+    #[must_use]
+    pub fn whole(size: Size) -> Self {
+        Self { x: 0, y: 0, width: size.width as i32, height: size.height as i32 }
+    }
+
     /// The first and the last pixels: left, top, right and bottom.
     #[inline(always)]
     pub(crate) fn sides(self) -> [i32; 4] {

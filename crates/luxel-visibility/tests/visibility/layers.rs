@@ -3,7 +3,7 @@
 use crate::oracle::{self, Hit};
 use crate::random::{cases, scene};
 use crate::scene::{Picture, Scene, Submitted, best, no_holes};
-use luxel_visibility::{Coverage, TriangleId};
+use luxel_visibility::{Coverage, TILE, TriangleId};
 use proptest::prelude::*;
 
 /// Some holes: about a third of all samples, by triangle and place.
@@ -90,6 +90,29 @@ proptest! {
     #[test]
     fn layers_are_peeled_off_in_the_order_of_depth_and_submission(scene in scene(ALL, 24)) {
         check(&scene, false)?;
+    }
+
+    #[test]
+    fn what_covers_a_sample_is_what_is_peeled_off_there(
+        scene in scene(&[Coverage::Blended], 24),
+        with_holes in any::<bool>(),
+    ) {
+        let built = scene.build();
+        let frame = built.frame(best());
+        let submitted = |id: TriangleId| {
+            let of = frame.triangle(id).unwrap();
+            (of.instance, of.triangle)
+        };
+        let hole = |id: TriangleId, position: [i32; 2]| with_holes && is_hole(submitted(id), position);
+        let layers = Picture::layers(&frame, best(), &hole);
+        let [across, _] = frame.tiles();
+        for (number, position) in scene.sample_positions() {
+            let peeled = layers.iter().map_while(|layer| layer.seen[number]).map(|(_, of)| of);
+            let [column, row] = position.map(|steps| (steps / 256 / TILE) as usize);
+            let covering = frame.blended_at(row * across + column, position, &hole);
+            let covering: Vec<_> = covering.into_iter().map(submitted).collect();
+            prop_assert_eq!(covering, peeled.collect::<Vec<_>>(), "at {:?}", position);
+        }
     }
 
     #[test]

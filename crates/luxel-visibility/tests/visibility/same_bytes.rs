@@ -6,7 +6,7 @@ use crate::solid::{View, bumpy, direction};
 use glam::{DMat4, DVec3};
 use luxel_math::SimdLevel;
 use luxel_scene::{Lens, MaterialId, Mesh, Part};
-use luxel_visibility::{Coverage, CullFaces, PartUse};
+use luxel_visibility::{Coverage, CullFaces, PartUse, Region};
 use proptest::prelude::*;
 
 const ALL: &[Coverage] = &[Coverage::Opaque, Coverage::Cutout, Coverage::Blended];
@@ -142,6 +142,27 @@ proptest! {
         let expected = draw(SimdLevel::Scalar);
         for level in SimdLevel::available() {
             prop_assert_eq!(&draw(level), &expected, "{}", level);
+        }
+    }
+
+    #[test]
+    fn a_part_of_the_window_is_drawn_as_in_the_whole(
+        view in view(),
+        corner in [-9..101_i32, -9..79_i32],
+        size in [1..60_i32, 1..60_i32],
+    ) {
+        let [x, y] = corner.map(|side| side.max(0));
+        let part = Region { x, y, width: size[0], height: size[1] };
+        let whole = view.draw(best());
+        let drawn = view.draw_part(part, best());
+        let count = view.samples as usize;
+        let width = view.size.width as usize;
+        for row in y..(y + part.height).min(79) {
+            for column in x..(x + part.width).min(101) {
+                let first = (row as usize * width + column as usize) * count;
+                let of = |picture: &Picture| Picture { seen: picture.seen[first..first + count].to_vec() };
+                prop_assert_eq!(bits(&of(&drawn)), bits(&of(&whole)), "{}, {}", column, row);
+            }
         }
     }
 

@@ -4,7 +4,9 @@ use crate::scene::{Picture, best};
 use glam::{DMat4, DVec3};
 use luxel_math::Level;
 use luxel_scene::{Camera, Lens, MaterialId, Mesh, Part, Projection, Size};
-use luxel_visibility::{Clusters, Frame, Frames, Instance, PartUse, Samples, ViewFromLocal};
+use luxel_visibility::{
+    Clusters, Frame, Frames, Instance, PartUse, Region, Samples, ViewFromLocal,
+};
 use proptest::prelude::*;
 
 /// A mesh and a camera.
@@ -41,9 +43,18 @@ impl View {
         self.with_frame(level, |frame| Picture::opaque(frame, level))
     }
 
+    /// Draws the mesh as one instance, for a part of the window.
+    pub(crate) fn draw_part(&self, part: Region, level: Level) -> Picture {
+        self.with_part(part, level, |frame| Picture::opaque(frame, level))
+    }
+
     pub(crate) fn with_frame<R>(&self, level: Level, ask: impl FnOnce(&Frame<'_>) -> R) -> R {
+        self.with_part(Region::whole(self.size), level, ask)
+    }
+
+    fn with_part<R>(&self, part: Region, level: Level, ask: impl FnOnce(&Frame<'_>) -> R) -> R {
         let clusters = Clusters::new(&self.mesh, Frames::Many);
-        ask(&self.frame(vec![self.instance(&self.mesh, &clusters, &self.place())], level))
+        ask(&self.frame(vec![self.instance(&self.mesh, &clusters, &self.place())], part, level))
     }
 
     /// Draws each triangle as an instance of its own; numbers are those of the whole mesh.
@@ -67,7 +78,8 @@ impl View {
         let place = self.place();
         let instances =
             pieces.iter().map(|(mesh, clusters)| self.instance(mesh, clusters, &place)).collect();
-        let mut picture = Picture::opaque(&self.frame(instances, best()), best());
+        let mut picture =
+            Picture::opaque(&self.frame(instances, Region::whole(self.size), best()), best());
         for (_, submitted) in picture.seen.iter_mut().flatten() {
             *submitted = (0, submitted.0 as u32);
         }
@@ -88,9 +100,9 @@ impl View {
         Instance { mesh, clusters, view_from_local, parts, ranks: &[], is_repeated: false }
     }
 
-    fn frame<'a>(&self, instances: Vec<Instance<'a>>, level: Level) -> Frame<'a> {
+    fn frame<'a>(&self, instances: Vec<Instance<'a>>, part: Region, level: Level) -> Frame<'a> {
         let samples = Samples::new(self.samples).unwrap();
-        Frame::new(instances, &self.projection, self.size, samples, level).unwrap()
+        Frame::of_part(instances, &self.projection, self.size, part, samples, level).unwrap()
     }
 
     /// Every sample's number in a picture and its position.

@@ -23,16 +23,16 @@ mod schedule;
 mod ways;
 mod web;
 
-use crate::context::{Heard, ShadingContext};
+use crate::context::ShadingContext;
 use crate::coverage::AlphaTest;
-use crate::frame::{RenderError, Renderer};
+use crate::frame::{FrameNeeds, RenderError, Renderer};
 use crate::vector::primitives::{Clipper, InWindow, is_culled};
 use document::Document;
 use face::{Face, Grid, for_each};
 use flatten::{Flattener, Sampler, largest_range};
 use hidden::{Hiding, needed};
 use luxel_view::{Shading, ShadingMode, View};
-use luxel_visibility::{Coverage, CoveragePolicy, Samples, Tile, TriangleId, TriangleOf};
+use luxel_visibility::{Coverage, Samples, Tile, TriangleId, TriangleOf};
 use paint::paint;
 use ways::Ways;
 use web::{Place, Web};
@@ -83,8 +83,8 @@ impl Renderer {
         };
         let shading = Shading { mode, ..view.shading };
         let view = view.clone().with_shading(shading).with_edges(None);
-        let samples = Samples::new(16);
-        self.with_scene(&view, CoveragePolicy::DRAWN, samples, Heard::NOTHING, |scene, cutouts| {
+        let needs = FrameNeeds { samples: Samples::new(16), ..FrameNeeds::PICTURE };
+        self.with_scene(&view, &needs, |scene, cutouts| {
             let seen = seen(self, scene, cutouts);
             draw(self, scene, &view, options, &seen)
         })?

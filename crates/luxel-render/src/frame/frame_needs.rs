@@ -1,0 +1,22 @@
+//! What is made ready for a frame.
+
+use crate::context::Heard;
+use luxel_visibility::{CoveragePolicy, Region, Samples};
+
+/// What a frame is for, beside its view.
+#[derive(Clone, Copy)]
+pub(crate) struct FrameNeeds {
+    pub(crate) coverage: CoveragePolicy,
+    /// The sample pattern; the view's if it is `None`.
+    pub(crate) samples: Option<Samples>,
+    /// What witnesses hear beside what shading needs.
+    pub(crate) heard: Heard,
+    /// The pixels of which tiles are drawn; the whole window if it is `None`.
+    pub(crate) part: Option<Region>,
+}
+
+impl FrameNeeds {
+    /// A picture of the view.
+    pub(crate) const PICTURE: Self =
+        Self { coverage: CoveragePolicy::DRAWN, samples: None, heard: Heard::NOTHING, part: None };
+}
