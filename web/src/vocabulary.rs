@@ -20,7 +20,7 @@ impl Model {
     }
 }
 
-/// A reflection model with the parameters that flags set.
+/// A reflection model with its parameters.
 fn reflection(model: &ReflectionModel) -> Value {
     let own = model.own.iter().map(|own| &own.parameter);
     let all = model.parameters.iter().copied().chain(own);
@@ -29,7 +29,7 @@ fn reflection(model: &ReflectionModel) -> Value {
         "help": model.help,
         "formula": model.formula,
         "source": model.source,
-        "parameters": all.filter(|one| one.placeholder.is_some()).map(parameter).collect::<Value>(),
+        "parameters": all.map(parameter).collect::<Value>(),
     })
 }
 

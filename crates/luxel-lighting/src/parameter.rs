@@ -21,22 +21,22 @@ pub struct Parameter {
     pub default: f32,
     /// An example value, as in scene files.
     pub example: &'static str,
-    /// The placeholder of its flag's value in help; `None` if it has no flag.
-    pub placeholder: Option<&'static str>,
+    /// The placeholder of its flag's value in help.
+    pub placeholder: &'static str,
 }
 
 impl Parameter {
-    /// A coefficient: 0 and more, with a flag.
+    /// A coefficient: 0 and more.
     const fn coefficient(name: &'static str, symbol: &'static str, help: &'static str) -> Self {
         let (range, default) = ([0.0, f32::INFINITY], 1.0);
-        let (is_whole, slider_end, example, placeholder) = (false, 1.0, "1", Some("K"));
+        let (is_whole, slider_end, example, placeholder) = (false, 1.0, "1", "K");
         Self { name, symbol, help, range, is_whole, slider_end, default, example, placeholder }
     }
 
-    /// A share: 0 to 1. Textures vary it, so that no flag sets it for all surfaces.
+    /// A share: 0 to 1.
     const fn share(name: &'static str, help: &'static str) -> Self {
-        let range = [0.0, 1.0];
-        Self { range, placeholder: None, ..Self::coefficient(name, name, help) }
+        let (range, placeholder) = ([0.0, 1.0], "SHARE");
+        Self { range, placeholder, ..Self::coefficient(name, name, help) }
     }
 
     /// The nearest valid value; the default for NaN.
@@ -67,7 +67,7 @@ pub const K_S: Parameter = Parameter {
 
 /// n
 pub const SHININESS: Parameter = Parameter {
-    placeholder: Some("N"),
+    placeholder: "N",
     slider_end: 200.0,
     default: 32.0,
     example: "60",
@@ -79,14 +79,17 @@ pub const METALLIC: Parameter = Parameter {
     default: 0.0,
     ..Parameter::share(
         "metallic",
-        "0 to 1, for microfacet; drops the texture of metalness and roughness",
+        "0 to 1, for microfacet; replaces the texture of metalness and roughness",
     )
 };
 
 /// Perceptual roughness.
 pub const ROUGHNESS: Parameter = Parameter {
     example: "0.35",
-    ..Parameter::share("roughness", "0 to 1, for microfacet and oren-nayar; drops the same texture")
+    ..Parameter::share(
+        "roughness",
+        "0 to 1, for microfacet and oren-nayar; replaces the texture of metalness and roughness",
+    )
 };
 
 /// The parameters of every material, whatever its reflection model.

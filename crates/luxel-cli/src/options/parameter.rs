@@ -12,24 +12,22 @@ pub(crate) struct ParameterOptions<const OWN: bool> {
     pub(crate) values: Vec<(&'static Parameter, f32)>,
 }
 
-/// The parameters with a flag, each with the placeholder of its value.
-fn flags(own: bool) -> impl Iterator<Item = (&'static Parameter, &'static str)> {
-    let all: Vec<&'static Parameter> =
-        if own { own_parameters().map(|own| &own.parameter).collect() } else { SHARED.into() };
-    all.into_iter().filter_map(|parameter| Some((parameter, parameter.placeholder?)))
+/// The parameters of a single reflection model, or those of all materials.
+fn parameters(own: bool) -> Vec<&'static Parameter> {
+    if own { own_parameters().map(|own| &own.parameter).collect() } else { SHARED.into() }
 }
 
 impl<const OWN: bool> Args for ParameterOptions<OWN> {
     fn augment_args(command: Command) -> Command {
-        let arg = |(of, placeholder): (&'static Parameter, &'static str)| {
+        let arg = |of: &'static Parameter| {
             Arg::new(of.name)
                 .long(of.name)
-                .value_name(placeholder)
+                .value_name(of.placeholder)
                 .value_parser(move |text: &str| parameter(of, text))
                 .allow_hyphen_values(true)
                 .help(of.help)
         };
-        command.args(flags(OWN).map(arg))
+        command.args(parameters(OWN).into_iter().map(arg))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -39,8 +37,8 @@ impl<const OWN: bool> Args for ParameterOptions<OWN> {
 
 impl<const OWN: bool> FromArgMatches for ParameterOptions<OWN> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
-        let value = |(of, _): (&'static Parameter, _)| Some((of, *matches.get_one(of.name)?));
-        Ok(Self { values: flags(OWN).filter_map(value).collect() })
+        let value = |of: &'static Parameter| Some((of, *matches.get_one(of.name)?));
+        Ok(Self { values: parameters(OWN).into_iter().filter_map(value).collect() })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {

@@ -194,9 +194,16 @@ fn every_term_equals_the_equation_in_double_precision() {
         let (model, target) = models[round % models.len()];
         let (eye, reflection) = (random.three(2.0, 6.0), MODELS[(round / 3) % MODELS.len()]);
         let (roughness, metallic) = (random.between(0.15, 1.0), random.between(0.0, 1.0));
+        // Flags and scene files are two ways to say the same.
+        let (material, flags) = match round % 2 {
+            0 => (
+                format!("[material]\nroughness = {roughness}\nmetallic = {metallic}\n"),
+                String::new(),
+            ),
+            _ => (String::new(), format!("--roughness {roughness} --metallic {metallic}")),
+        };
         let scene = format!(
-            "format = \"luxel-scene\"\nversion = 1\n[[models]]\nsource = \"{model}\"\n\
-             [material]\nroughness = {roughness}\nmetallic = {metallic}\n"
+            "format = \"luxel-scene\"\nversion = 1\n[[models]]\nsource = \"{model}\"\n{material}"
         );
         folder.write("scene.toml", scene);
         let lights: Vec<_> =
@@ -208,7 +215,7 @@ fn every_term_equals_the_equation_in_double_precision() {
         let mut line = format!(
             "explain scene.toml --json --size 64x64 --samples 1 --eye {eye} --target {target} --color {color} --ka {ka} \
              --kd {kd} --ks {ks} --shininess {shininess} --emission {emission} --ambient {ambient} \
-             --reflection {reflection} --environment none --at {},{}",
+             --reflection {reflection} {flags} --environment none --at {},{}",
             16 + random.below(32),
             16 + random.below(32),
         );

@@ -73,7 +73,7 @@ const WRONG: [(&str, &str); 66] = [
 ];
 
 /// The same for flags of `render` only.
-const WRONG_FOR_RENDER: [(&str, &str); 45] = [
+const WRONG_FOR_RENDER: [(&str, &str); 46] = [
     ("-o a.gif", "not an image format"),
     ("-o a", "needs an extension"),
     ("-o", "value"),
@@ -116,6 +116,7 @@ const WRONG_FOR_RENDER: [(&str, &str); 45] = [
     ("-o a.png --color -1,0,0", "below 0"),
     ("-o a.png --ks -1", "below 0"),
     ("-o a.png --shininess inf", "finite"),
+    ("-o a.png --roughness 2", "0 to 1"),
     ("-o a.png --reflection plastic", "is not a reflection model"),
     ("-o a.png --normals guess", "guess"),
     ("-o a.png --crease 181", "between 0 and 180"),

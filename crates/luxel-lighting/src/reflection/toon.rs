@@ -59,7 +59,7 @@ const STEPS: Parameter = Parameter {
     slider_end: 8.0,
     default: 3.0,
     example: "2",
-    placeholder: Some("N"),
+    placeholder: "N",
 };
 
 /// k_d O_d q(max(N.L, 0)) + k_s O_s q(max(N.H, 0)^n) with q(x) = floor(s x + 1/2) / s: the nearest of

@@ -1,12 +1,12 @@
 //! The names of settings.
 
-use luxel_lighting::{Parameter, parameters};
+use luxel_lighting::parameters;
 
 /// The setting that may be there several times.
 pub(super) const LIGHT: &str = "light";
 
 /// The names of all settings but those of reflection parameters: `ka`, `ks`, `shininess` and others that
-/// [`luxel_lighting::parameters`] describes with a placeholder.
+/// [`luxel_lighting::parameters`] describes.
 pub const SETTINGS: [&str; 43] = [
     "size",
     "eye",
@@ -53,14 +53,9 @@ pub const SETTINGS: [&str; 43] = [
     "edges",
 ];
 
-/// The reflection parameters that a flag sets for all surfaces.
-pub(super) fn with_flags() -> impl Iterator<Item = &'static Parameter> {
-    parameters().filter(|parameter| parameter.placeholder.is_some())
-}
-
 /// All names.
 pub(super) fn all() -> impl Iterator<Item = &'static str> {
-    SETTINGS.into_iter().chain(with_flags().map(|parameter| parameter.name))
+    SETTINGS.into_iter().chain(parameters().map(|parameter| parameter.name))
 }
 
 /// The name of a setting, if it is one.

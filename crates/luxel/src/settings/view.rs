@@ -1,6 +1,6 @@
 //! The view, and the changes of the scene, that settings describe.
 
-use super::{GivenMap, SettingError, Settings, names};
+use super::{GivenMap, SettingError, Settings};
 use crate::default_view::{environment_of, lights_of};
 use luxel_formats::values::{self, Exposure, OcclusionRadius};
 use luxel_lighting::{Environment, PictureEncoding, Tone};
@@ -98,7 +98,7 @@ impl Settings {
             reflection: self.parsed("reflection", values::reflection)?,
             ..Restyle::default()
         };
-        for parameter in names::with_flags() {
+        for parameter in luxel_lighting::parameters() {
             if let Some(value) =
                 self.parsed(parameter.name, |text| values::parameter(parameter, text))?
             {
