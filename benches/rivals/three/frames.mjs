@@ -1,19 +1,22 @@
-// Frames of luxel in a page beside three.js on SwiftShader, in turns:
+// Frames of luxel in a page beside three.js on SwiftShader and beside the program, in turns:
 //
-//     node frames.mjs SITE THREE [TURNS]
+//     node frames.mjs SITE THREE PROGRAM [TURNS]
 //
-// SITE is the folder that `packaging/web` makes, THREE the folder of the npm package `three`; web/node_modules has what
-// drives the browser (`npm ci` there). Both draw the same mesh of 1 020 and of 99 904 triangles in 1280x720, one sample a
+// SITE is the folder that `packaging/web` makes, THREE the folder of the npm package `three`, PROGRAM luxel's program,
+// which has one thread and vectors as wide as a page's (SSE4.2); web/node_modules has what
+// drives the browser (`npm ci` there). All draw the same mesh of 1 020 and of 99 904 triangles in 1280x720, one sample a
 // pixel, Blinn-Phong per pixel under one directional light and ambient light, both sides of each triangle. luxel has one
 // worker, and then two; three.js has all threads of SwiftShader, and waits for each picture by reading one of its pixels.
 // Each has a browser of its own: luxel's without a GPU, three.js's with SwiftShader in the place of one.
 // Prints medians in milliseconds as JSON.
 
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { launch, serve } from "../../../web/tests/browser.mjs";
 
-const [folder, three, turns = "3"] = process.argv.slice(2);
+const [folder, three, program, turns = "3"] = process.argv.slice(2);
 const SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 const VIEWER = "index.html#demo=teapot&size=64x64";
 const FRAMES = 30;
@@ -49,19 +52,31 @@ function bumpyBall([rings, segments]) {
   return { places, triangles };
 }
 
-async function framesOfLuxel({ places, triangles }, workers, before, frames) {
+/** A mesh as an OBJ file. */
+function objOf({ places, triangles }) {
   const lines = (of) => Array.from({ length: of.length / 3 }, (_, at) => of.slice(3 * at, 3 * at + 3));
-  const text = [
+  return [
     ...lines(places).map((place) => `v ${place.join(" ")}`),
     ...lines(triangles).map((triangle) => `f ${triangle.map((corner) => corner + 1).join(" ")}`),
-  ];
+  ].join("\n");
+}
+
+const SETTINGS = {
+  size: "1280x720", samples: 1, eye: "0,0,3", target: "0,0,0", fov: 45, reflection: "blinn-phong",
+  light: "directional:dir=-.4,-.6,-1", ambient: ".3,.3,.3",
+};
+
+function framesOfProgram(model) {
+  const flags = Object.entries(SETTINGS).flatMap(([name, value]) => [`--${name}`, String(value)]);
+  flags.push("--threads", "1", "--simd", "sse4.2", "--frames", String(FRAMES), "--json");
+  return JSON.parse(execFileSync(program, ["bench", model, ...flags], { encoding: "utf8" })).frame_ms.median;
+}
+
+async function framesOfLuxel(text, settings, workers, before, frames) {
   const { configure, load } = await import("./luxel/luxel.js");
   configure({ workers });
-  const scene = await load(new File([text.join("\n")], "ball.obj"));
-  const view = await scene.view({
-    size: "1280x720", samples: 1, eye: "0,0,3", target: "0,0,0", fov: 45, reflection: "blinn-phong",
-    light: "directional:dir=-.4,-.6,-1", ambient: ".3,.3,.3",
-  });
+  const scene = await load(new File([text], "ball.obj"));
+  const view = await scene.view(settings);
   await view.ready();
   const canvas = document.createElement("canvas");
   const times = [];
@@ -125,19 +140,28 @@ async function times({ context }, address, work, ...inputs) {
 
 const median = (values) => Number([...values].sort((a, b) => a - b)[Math.floor(values.length / 2)].toFixed(2));
 const results = {};
+const work = mkdtempSync(join(tmpdir(), "luxel-frames-"));
 for (const shape of [[16, 34], [224, 224]]) {
   const ball = bumpyBall(shape);
-  const [one, two, peer] = [[], [], []];
+  const text = objOf(ball);
+  const model = join(work, "ball.obj");
+  writeFileSync(model, text);
+  const [one, two, peer, native] = [[], [], [], []];
   for (let turn = 0; turn < Number(turns); turn++) {
     peer.push(...(await times(peers, "peer.html", framesOfThree, ball, WARM_UP, FRAMES)));
-    one.push(...(await times(browser, VIEWER, framesOfLuxel, ball, 1, WARM_UP, FRAMES)));
-    two.push(...(await times(browser, VIEWER, framesOfLuxel, ball, 2, WARM_UP, FRAMES)));
+    one.push(...(await times(browser, VIEWER, framesOfLuxel, text, SETTINGS, 1, WARM_UP, FRAMES)));
+    two.push(...(await times(browser, VIEWER, framesOfLuxel, text, SETTINGS, 2, WARM_UP, FRAMES)));
+    native.push(framesOfProgram(model));
   }
-  const [a, b, c] = [one, two, peer].map(median);
-  const ratio = Number((c / a).toFixed(2));
-  results[`${ball.triangles.length / 3} triangles`] = { luxel_one_worker: a, luxel_two_workers: b, three: c, three_to_one_worker: ratio };
+  const [a, b, c, d] = [one, two, peer, native].map(median);
+  const ratio = (more, less) => Number((more / less).toFixed(2));
+  results[`${ball.triangles.length / 3} triangles`] = {
+    luxel_one_worker: a, luxel_two_workers: b, three: c, program: d,
+    three_to_one_worker: ratio(c, a), two_workers_to_one: ratio(a, b), one_worker_to_program: ratio(a, d),
+  };
 }
 console.log(JSON.stringify(results, null, 2));
 await browser.close();
 await peers.close();
+rmSync(work, { recursive: true });
 site.close();

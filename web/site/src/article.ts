@@ -138,7 +138,8 @@ export class LiveFigure extends Live {
     }
     const ledger = await view.ledger(...this.#pixel);
     showLedger(this.#ledger, ledger, false);
-    showVectors(this.#overlay, ledger, [this.#pixel[0] + 0.5, this.#pixel[1] + 0.5]);
+    const unit = size[0] / (this.#overlay.clientWidth || size[0]);
+    showVectors(this.#overlay, ledger, [this.#pixel[0] + 0.5, this.#pixel[1] + 0.5], unit);
     this.#said.textContent = sentence(ledger);
   }
 

@@ -38,7 +38,8 @@ export function sentence(ledger: Ledger): string {
   }
   const most = KINDS.map((kind) => ({ kind, light: luminance(surface.terms[kind]) })).sort((a, b) => b.light - a.light)[0]!;
   const triangle = surface.triangle === null ? "" : `, triangle ${surface.triangle}`;
-  const light = most.light > 0 ? `, mostly ${most.kind} light` : ", without light";
+  const kind = most.kind === "fog" ? "fog" : `${most.kind} light`;
+  const light = most.light > 0 ? `, mostly ${kind}` : ", without light";
   return `Pixel ${x}, ${y}: ${surface.path.join(" / ") || surface.object}${triangle}${light}`;
 }
 

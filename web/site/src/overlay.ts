@@ -11,20 +11,22 @@ function degrees(cosine: number): string {
   return `${((Math.acos(Math.min(Math.max(cosine, -1), 1)) * 180) / Math.PI).toFixed(1)}°`;
 }
 
-/** Draws the vectors of a ledger at a point of the page, in pixels from the overlay's corner. */
-export function showVectors(overlay: SVGElement, ledger: Ledger | undefined, at: [number, number]): void {
+/** Draws the vectors of a ledger at a point of the overlay, of whose units `unit` are as long as a pixel of the page. */
+export function showVectors(overlay: SVGElement, ledger: Ledger | undefined, at: [number, number], unit = 1): void {
   overlay.replaceChildren();
   const surface = ledger && surfaceOf(ledger);
   if (surface === undefined) return;
-  const [x, y] = at;
+  // In pixels of the page from the point, so that letters are as large in a narrow window.
+  const vectors = drawn("g", { transform: `translate(${at.join(" ")}) scale(${unit})` });
+  overlay.append(vectors);
   const taken: [number, number][] = [];
   const texts: SVGElement[] = [];
   for (const { kind, name, cosine, picture } of surface.vectors) {
     const [right, down] = picture;
-    const [toX, toY] = [x + right * LENGTH, y + down * LENGTH];
+    const [toX, toY] = [right * LENGTH, down * LENGTH];
     const color = `var(--${kind})`;
-    const ends = { x1: x, y1: y, x2: toX, y2: toY };
-    overlay.append(
+    const ends = { x1: 0, y1: 0, x2: toX, y2: toY };
+    vectors.append(
       drawn("line", { ...ends, stroke: "var(--ground)", "stroke-width": 4, "stroke-linecap": "round" }),
       drawn("line", { ...ends, style: `stroke:${color}`, "stroke-width": 2, "stroke-linecap": "round" }),
       drawn("circle", { cx: toX, cy: toY, r: 3, style: `fill:${color}` }),
@@ -40,5 +42,5 @@ export function showVectors(overlay: SVGElement, ledger: Ledger | undefined, at:
     text.textContent = cosine === null ? name : `${name} ${degrees(cosine)}`;
     texts.push(text);
   }
-  overlay.append(drawn("circle", { cx: x, cy: y, r: 4, fill: "none", stroke: "var(--accent)", "stroke-width": 1.5 }), ...texts);
+  vectors.append(drawn("circle", { cx: 0, cy: 0, r: 4, fill: "none", stroke: "var(--accent)", "stroke-width": 1.5 }), ...texts);
 }

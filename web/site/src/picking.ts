@@ -8,9 +8,9 @@ import { draggable } from "./number.ts";
 const SIZE: [number, number] = [640, 400];
 const DEMO = "plane";
 
-/** A number in five digits. */
+/** A number in four digits. */
 function short(value: number): string {
-  return Number(value.toPrecision(5)).toString().replace("-", "−");
+  return Number(value.toPrecision(4)).toString().replace("-", "−");
 }
 
 /** The eye of a camera: where V, a rotation and a translation, maps to the origin. */

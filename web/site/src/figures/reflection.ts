@@ -14,17 +14,28 @@ function about(value: number): FigureNumber {
   return { name: "about", symbol: "", meaning: "degrees by which the light stands to the right of the eye", value, min: -170, max: 170, step: 1 };
 }
 
-/** A light that stands to the right of the eye by an angle, and a little above. */
-function lit(degrees: number, more: Settings = {}, above = 0.35): Settings {
-  const angle = (degrees * Math.PI) / 180;
-  const direction = [-Math.sin(angle), -above, -Math.cos(angle)].map((part) => part.toFixed(5)).join(",");
+/** A light that shines along this direction before the camera. */
+function litAlong(direction: readonly number[], more: Settings): Settings {
+  const text = direction.map((part) => part.toFixed(5)).join(",");
   return {
-    light: [`directional:dir=${direction}:in=camera`, "ambient:color=0.04,0.04,0.04"],
+    light: [`directional:dir=${text}:in=camera`, "ambient:color=0.04,0.04,0.04"],
     environment: "none",
     azimuth: 0,
     elevation: 0,
     ...more,
   };
+}
+
+/** A light that stands to the right of the eye by an angle, and a little above. */
+function lit(degrees: number, more: Settings = {}, above = 0.35): Settings {
+  const angle = (degrees * Math.PI) / 180;
+  return litAlong([-Math.sin(angle), -above, -Math.cos(angle)], more);
+}
+
+/** A light that stands above the eye by an angle. */
+function litFromAbove(degrees: number, more: Settings): Settings {
+  const angle = (degrees * Math.PI) / 180;
+  return litAlong([0, -Math.sin(angle), -Math.cos(angle)], more);
 }
 
 const ball = "lab-silhouette-cured";
@@ -93,16 +104,21 @@ export const COMPARISONS: Comparison[] = [
       demo: ball,
       title: "Blinn–Phong",
       alt: "A grey ball with a round highlight",
-      settings: ({ numbers }) => lit(numbers["about"]!, { reflection: "blinn-phong", color: "0.1,0.1,0.12", shininess: numbers["n"]!, ks: 0.5 }),
+      settings: ({ numbers }) => litFromAbove(numbers["above"]!, { reflection: "blinn-phong", color: "0.1,0.1,0.12", shininess: numbers["n"]!, ks: 0.5 }),
     },
     cure: {
       demo: ball,
       title: "microfacets",
       alt: "The same ball, whose highlight grows bright when the light grazes it",
-      settings: ({ numbers }) => lit(numbers["about"]!, { reflection: "microfacet", color: "0.1,0.1,0.12", ks: 1 }),
+      settings: ({ numbers }) =>
+        litFromAbove(numbers["above"]!, { reflection: "microfacet", color: "0.1,0.1,0.12", roughness: numbers["roughness"]!, ks: 1 }),
     },
-    numbers: [about(165), shininess("n", "the shininess of Blinn's", 24)],
-    lines: ["the light stands {about} degrees to the right of the eye", "n = {n} on the left"],
+    numbers: [
+      { name: "above", symbol: "", meaning: "degrees by which the light stands above the eye", value: 125, min: 0, max: 170, step: 1 },
+      shininess("n", "the shininess of Blinn's", 24),
+      { name: "roughness", symbol: "", meaning: "the roughness of the facets", value: 0.45, min: 0.05, max: 1, step: 0.01 },
+    ],
+    lines: ["the light stands {above} degrees above the eye", "n = {n} on the left, roughness {roughness} on the right"],
   },
   {
     id: "retro",
