@@ -469,7 +469,7 @@ test("objects can be hidden, and layers shown", () =>
     assert.equal(seen.size, 4);
   }));
 
-test("memory stays flat while models of 100 000 triangles come and go", () =>
+test("memory stays flat while models of a million triangles come and go", () =>
   withViewer("#demo=teapot&size=64x64", async (page) => {
     const [early, late] = await page.evaluate(async () => {
       const { demo, memory } = await import("./luxel/luxel.js");

@@ -70,8 +70,8 @@ impl<'a> Frame<'a> {
         Self::of_part(instances, projection, size, Region::whole(size), samples, level)
     }
 
-    /// [`Frame::new`] for a part of the window: its tiles are drawn as in the whole frame. Other tiles lack the clusters
-    /// that don't reach it.
+    /// [`Frame::new`] for a part of the window: tiles with pixels of the part are drawn as in the whole frame. Other tiles
+    /// lack the clusters that don't reach the part's.
     ///
     /// # Errors
     /// As [`Frame::new`].

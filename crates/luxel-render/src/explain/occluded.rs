@@ -194,8 +194,9 @@ impl Unseen {
         view: &View,
         explanation: &Explanation,
     ) -> Result<Self, RenderError> {
-        let samples = explanation.samples.iter().filter_map(|entry| steps_of(entry.at, view.size));
-        let samples: Vec<_> = samples.collect();
+        let outside = || RenderError::Outside(view.size);
+        let steps = |entry: &ExplainedSample| steps_of(entry.at, view.size).ok_or_else(outside);
+        let samples = explanation.samples.iter().map(steps).collect::<Result<Vec<_>, _>>()?;
         let only = explanation.position.and_then(|_| samples.first());
         let pattern = only.map(|steps| Samples::one_at(steps.map(|steps| steps % SUBPIXELS)));
         let drawn = renderer.below_samples(view, pattern, &samples)?;

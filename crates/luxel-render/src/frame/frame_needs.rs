@@ -1,4 +1,4 @@
-//! What is made ready for a frame.
+//! What a frame is prepared for.
 
 use crate::context::Heard;
 use luxel_visibility::{CoveragePolicy, Region, Samples};
@@ -11,7 +11,7 @@ pub(crate) struct FrameNeeds {
     pub(crate) samples: Option<Samples>,
     /// What witnesses hear beside what shading needs.
     pub(crate) heard: Heard,
-    /// The pixels of which tiles are drawn; the whole window if it is `None`.
+    /// Tiles with these pixels are drawn; all tiles if it is `None`.
     pub(crate) part: Option<Region>,
 }
 

@@ -42,7 +42,7 @@ impl Probe {
         rank: u8,
         position: [i32; 2],
     ) -> Option<f32> {
-        // Most triangles are far away: their corners say so, and they needn't be set up.
+        // Most triangles of a cluster are elsewhere, which their box shows before they are set up.
         let snapped = self.window_corners(corners);
         let is_near = snapped.is_none_or(|snapped| holds(&snapped, position));
         is_near.then(|| self.set_up(corners, snapped, cull, rank).covers(position))?
@@ -65,7 +65,7 @@ impl Probe {
         are_held.then(|| corners.map(|corner| transform.window(corner)))
     }
 
-    /// [`Probe::triangle`] of corners and what [`Probe::window_corners`] makes of them.
+    /// [`Probe::triangle`], with the triangle's [`Probe::window_corners`].
     #[inline]
     fn set_up(
         &self,

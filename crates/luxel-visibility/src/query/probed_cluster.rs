@@ -1,11 +1,11 @@
-//! The fill rule asked for the triangles of a cluster.
+//! The fill rule for one sample and the triangles of a cluster.
 
 use super::point_coverage::Probe;
 use super::seen_cluster::SeenCluster;
 use crate::cluster::{ClusterRanks, Instances};
 use crate::types::{CullFaces, TriangleId};
 
-/// A cluster of a frame before the camera, to be asked which of its triangles cover a sample.
+/// A cluster of a frame before the camera, whose triangles are tested for a sample.
 pub(crate) struct ProbedCluster<'f> {
     cluster: SeenCluster<'f>,
     probe: Probe,
