@@ -86,13 +86,19 @@ const exportsOf = async (file) => {
   return import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`);
 };
 const { pairs } = await exportsOf("package/src/settings.ts");
+/** A picture as a small file: it is written once and fetched often. */
+const compressed = (picture) => {
+  const isOpaque = picture.data.every((byte, at) => at % 4 !== 3 || byte === 255);
+  // Colour types of PNG: 2 without alpha, 6 with it.
+  return PNG.sync.write(picture, { colorType: isOpaque ? 2 : 6, deflateLevel: 9, deflateStrategy: 0, filterType: -1 });
+};
 const still = (demo, settings) => {
   const view = ModelView.of(Model.demo(demo), JSON.stringify(pairs(settings)));
-  const png = view.png();
+  const picture = PNG.sync.read(Buffer.from(view.png()));
   view.free();
-  return png;
+  return compressed(picture);
 };
-writeFileSync(join(out, "stills/teapot.png"), still("teapot", { size: "1280x720" }));
+writeFileSync(join(out, "stills/teapot.png"), still("teapot", { size: "960x540" }));
 const light = await exportsOf("site/src/figures/light.ts");
 /** The picture of ids, as a page shows it. */
 const stillOfIds = (demo, [width, height]) => {
@@ -100,7 +106,7 @@ const stillOfIds = (demo, [width, height]) => {
   const picture = new PNG({ width, height });
   picture.data.set(view.layer_picture("object"));
   view.free();
-  return PNG.sync.write(picture);
+  return compressed(picture);
 };
 for (const figure of light.FIGURES) {
   writeFileSync(join(out, `stills/light-${figure.id}.png`), still(figure.demo, light.firstSettings(figure)));
