@@ -1,8 +1,9 @@
 // Measures the pages in a browser beside the program, in turns: node tests/measure.mjs SITE PROGRAM [TURNS].
 //
-// Prints JSON: milliseconds from navigation to the first picture; medians of frames of 1280x720 with one sample, by one
-// worker and by two, beside the program on as many threads with the same width of vectors; of explanations; and the
-// longest task of the page while a hand turns the model. A busy machine makes all of them meaningless.
+// Prints JSON: milliseconds from navigation to the first paint and to the first picture; medians of frames of 1280x720
+// with one sample, by one worker and by two, beside the program on as many threads with the same width of vectors; of
+// explanations; and the longest task of the page while a hand turns the model. A busy machine makes all of them
+// meaningless.
 
 import { execFileSync } from "node:child_process";
 import { resolve } from "node:path";
@@ -50,13 +51,14 @@ function framesOfProgram(demo, threads) {
   return JSON.parse(execFileSync(program, ["bench", `demo:${demo}`, ...flags], { encoding: "utf8" })).frame_ms.median;
 }
 
-const results = { first_picture_ms: [], frames: {}, explain_ms: 0, longest_task_ms: 0 };
+const results = { first_paint_ms: [], first_picture_ms: [], frames: {}, explain_ms: 0, longest_task_ms: 0 };
 for (let turn = 0; turn < Number(turns); turn++) {
   const { page } = await open(browser.context, `${site.address}/index.html`);
   results.first_picture_ms.push(round(await page.evaluate(async () => {
     await window.luxel.ready;
     return performance.getEntriesByName("first picture")[0]?.startTime ?? performance.now();
   })));
+  results.first_paint_ms.push(round(await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime)));
   await page.close();
 }
 for (const demo of DEMOS) {
