@@ -11,7 +11,7 @@ function degrees(cosine: number): string {
   return `${((Math.acos(Math.min(Math.max(cosine, -1), 1)) * 180) / Math.PI).toFixed(1)}°`;
 }
 
-/** Draws the vectors of a ledger at a point of the overlay, of whose units `unit` are as long as a pixel of the page. */
+/** Draws the vectors of a ledger at a point of the overlay; a pixel of the page is `unit` of the overlay's units long. */
 export function showVectors(overlay: SVGElement, ledger: Ledger | undefined, at: [number, number], unit = 1): void {
   overlay.replaceChildren();
   const surface = ledger && surfaceOf(ledger);

@@ -34,8 +34,8 @@ impl Renderer {
             pixel[1].saturating_sub(part.height / 2).min(height - part.height),
         ];
         let [x, y] = corner.map(|side| side as i32);
-        let drawn = Region { x, y, ..Region::whole(part) };
-        let needs = FrameNeeds { part: Some(drawn), ..FrameNeeds::PICTURE };
+        let region = Region { x, y, ..Region::whole(part) };
+        let needs = FrameNeeds { part: Some(region), ..FrameNeeds::PICTURE };
         let mut pixels = vec![[0; 4]; part.width as usize * part.height as usize];
         self.with_scene(view, &needs, |scene, cutouts| {
             let mut worker = self.worker(scene.frame.samples());
