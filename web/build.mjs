@@ -4,6 +4,7 @@ import { execFileSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import encodeWebp, { init as startWebp } from "@jsquash/webp/encode.js";
 import { build } from "esbuild";
 import { PNG } from "pngjs";
 
@@ -79,53 +80,60 @@ const { initSync, Model, ModelView } = await import(join(here, "package/wasm/lux
 const { linkAnswers } = await import(join(here, "package/wasm/answers.js"));
 initSync({ module: readFileSync(join(here, "package/wasm/luxel_bg.wasm")) });
 linkAnswers(new WebAssembly.Module(readFileSync(join(here, "package/wasm/answers.wasm"))));
-mkdirSync(join(out, "stills"), { recursive: true });
+rmSync(join(out, "stills"), { recursive: true, force: true });
+mkdirSync(join(out, "stills"));
 /** What a file of TypeScript exports that needs no document. */
 const exportsOf = async (file) => {
   const { outputFiles } = await build({ ...common, entryPoints: [join(here, file)], write: false });
   return import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`);
 };
 const { pairs } = await exportsOf("package/src/settings.ts");
-/** A picture as a small file: it is written once and fetched often. */
-const compressed = (picture) => {
-  const isOpaque = picture.data.every((byte, at) => at % 4 !== 3 || byte === 255);
-  // Colour types of PNG: 2 without alpha, 6 with it.
-  return PNG.sync.write(picture, { colorType: isOpaque ? 2 : 6, deflateLevel: 9, deflateStrategy: 0, filterType: -1 });
+/** All still pictures by their files. */
+const stills = new Map();
+/** Keeps a still picture to be written; gives its address. */
+const kept = (name, picture) => {
+  const file = `stills/${name}.webp`;
+  stills.set(file, picture);
+  return file;
 };
-const still = (demo, settings) => {
+const pictureOf = (width, height, pixels) => {
+  const picture = new PNG({ width, height });
+  picture.data.set(pixels);
+  return picture;
+};
+const drawn = (demo, settings) => {
   const view = ModelView.of(Model.demo(demo), JSON.stringify(pairs(settings)));
-  const picture = PNG.sync.read(Buffer.from(view.png()));
+  const picture = pictureOf(view.width, view.height, view.draw(0));
   view.free();
-  return compressed(picture);
+  return picture;
 };
-writeFileSync(join(out, "stills/teapot.png"), still("teapot", { size: "960x540" }));
+const still = (name, demo, settings) => kept(name, drawn(demo, settings));
+still("teapot", "teapot", { size: "960x540" });
 const light = await exportsOf("site/src/figures/light.ts");
 /** The picture of ids, as a page shows it. */
-const stillOfIds = (demo, [width, height]) => {
+const drawnIds = (demo, [width, height]) => {
   const view = ModelView.of(Model.demo(demo), JSON.stringify([["size", `${width}x${height}`]]));
-  const picture = new PNG({ width, height });
-  picture.data.set(view.layer_picture("object"));
+  const picture = pictureOf(width, height, view.layer_picture("object"));
   view.free();
-  return compressed(picture);
+  return picture;
 };
 for (const figure of light.FIGURES) {
-  writeFileSync(join(out, `stills/light-${figure.id}.png`), still(figure.demo, light.firstSettings(figure)));
+  still(`light-${figure.id}`, figure.demo, light.firstSettings(figure));
 }
 
 const navigation = await exportsOf("site/src/figures/navigation.ts");
-writeFileSync(join(out, "stills/navigation-look-at.png"), still("welcome", navigation.firstSettings(navigation.FIGURES[0])));
-writeFileSync(join(out, "stills/picking-ray.png"), still("plane", { size: [640, 400] }));
-writeFileSync(join(out, "stills/picking-ids.png"), stillOfIds("plane", [640, 400]));
-writeFileSync(join(out, "stills/navigation-modes.png"), still("welcome", { size: [640, 400] }));
-writeFileSync(join(out, "stills/navigation-rolling-ball.png"), still("teapot", { size: [640, 400] }));
+still("navigation-look-at", "welcome", navigation.firstSettings(navigation.FIGURES[0]));
+still("picking-ray", "plane", { size: [640, 400] });
+kept("picking-ids", drawnIds("plane", [640, 400]));
+still("navigation-modes", "welcome", { size: [640, 400] });
+still("navigation-rolling-ball", "teapot", { size: [640, 400] });
 
 // Of a comparison the page has a line, `<!-- figure: ID: CAPTION -->`; the rest is in its data.
 const withComparisons = (page, name, comparisons, firstSettings) => {
   for (const figure of comparisons) {
     const [width, height] = figure.size;
     const pictures = firstSettings(figure).map(({ demo, settings }, at) => {
-      const file = `stills/${name}-${figure.id}-${["problem", "cure"][at]}.png`;
-      writeFileSync(join(out, file), still(demo, settings));
+      const file = still(`${name}-${figure.id}-${["problem", "cure"][at]}`, demo, settings);
       const { alt } = [figure.problem, figure.cure][at];
       return `<img src="${file}" width="${width}" height="${height}" loading="lazy" alt="${alt}">`;
     });
@@ -146,13 +154,18 @@ writeArticle("shading", (text) => withComparisons(text, "shading", shading.FIGUR
 
 const reflection = await exportsOf("site/src/figures/reflection.ts");
 const [vectors] = reflection.VECTORS;
-writeFileSync(join(out, "stills/reflection-vectors.png"), still(vectors.demo, reflection.firstSettings(vectors)));
+still("reflection-vectors", vectors.demo, reflection.firstSettings(vectors));
 const { TABLE } = reflection;
+// All balls are one picture, which takes little more than half the bytes of one for each.
+const [ballWidth, ballHeight] = TABLE.size;
+const balls = new PNG({ width: ballWidth * TABLE.n.length, height: ballHeight * TABLE.ks.length });
+const ballsFile = kept("reflection-table", balls);
 const cell = (ks, n) => {
-  const file = `stills/reflection-table-${ks}-${n}.png`;
-  const settings = { size: TABLE.size, ...TABLE.settings(ks, n, TABLE.about.value) };
-  writeFileSync(join(out, file), still(TABLE.demo, settings));
-  return `<td><img src="${file}" width="104" height="104" loading="lazy" alt="A ball with k_s = ${ks} and n = ${n}"></td>`;
+  const ball = drawn(TABLE.demo, { size: TABLE.size, ...TABLE.settings(ks, n, TABLE.about.value) });
+  const [x, y] = [TABLE.n.indexOf(n) * ballWidth, TABLE.ks.indexOf(ks) * ballHeight];
+  PNG.bitblt(ball, balls, 0, 0, ballWidth, ballHeight, x, y);
+  const place = `width="${ballWidth}" height="${ballHeight}" style="object-position: ${-x}px ${-y}px"`;
+  return `<td><img src="${ballsFile}" ${place} loading="lazy" alt="A ball with k_s = ${ks} and n = ${n}"></td>`;
 };
 const head = `<tr><th scope="col">k<sub>s</sub> \\ n</th>${TABLE.n.map((n) => `<th scope="col">${n}</th>`).join("")}</tr>`;
 const rows = TABLE.ks.map((ks) => `<tr><th scope="row">${ks}</th>${TABLE.n.map((n) => cell(ks, n)).join("")}</tr>`);
@@ -162,8 +175,14 @@ writeArticle("reflection", (text) => {
   return page.replace("<!-- table -->", table);
 });
 
+// WebP without loss takes about two thirds of PNG's bytes; `exact` keeps the colours of transparent pixels, too.
+await startWebp(new WebAssembly.Module(readFileSync(join(here, "node_modules/@jsquash/webp/codec/enc/webp_enc_simd.wasm"))));
+for (const [file, picture] of stills) {
+  writeFileSync(join(out, file), Buffer.from(await encodeWebp(picture, { lossless: 1, exact: 1 })));
+}
+
 // A browser asks for an icon of this name, whatever the page says: a PNG picture in the container of ICO files.
-const icon = still("spheres", { size: "32x32", samples: 16 });
+const icon = PNG.sync.write(drawn("spheres", { size: "32x32", samples: 16 }));
 const container = Buffer.alloc(22);
 container.writeUInt16LE(1, 2);
 container.writeUInt16LE(1, 4);

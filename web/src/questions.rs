@@ -125,14 +125,6 @@ impl ModelView {
         (answers()?.layer_picture)(self, name)
     }
 
-    /// The picture as a PNG file, with the bytes of the program's.
-    ///
-    /// # Errors
-    /// As [`draw`](Self::draw).
-    pub fn png(&self) -> Result<Vec<u8>, JsError> {
-        (answers()?.png)(self)
-    }
-
     /// Examines the model as it is seen here.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use crate::drawer::show_all_but;
 use crate::error::exception;
 use crate::model::{Environments, Model};
 use crate::motion::FIRST_MODE;
-use luxel::lighting::EnvironmentMap;
+use luxel::lighting::{EnvironmentMap, PictureEncoding};
 use luxel::navigation::{Log, Settings as Motion, State};
 use luxel::pick::Picker;
 use luxel::render::{Execution, Renderer, View};
@@ -133,6 +133,12 @@ impl ModelView {
         let picture =
             self.renderer.rgba8(&sampled(self.view.clone(), samples)).map_err(exception)?;
         Ok(picture.pixels.into_flattened())
+    }
+
+    /// Whether the picture's bytes are encoded as sRGB; else they are linear.
+    #[wasm_bindgen(getter)]
+    pub fn is_srgb(&self) -> bool {
+        self.view.encoding == PictureEncoding::Srgb
     }
 
     /// Whether the view casts rays for shadows or occlusion, which takes its time.

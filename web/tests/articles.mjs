@@ -6,9 +6,28 @@ import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { isDeepStrictEqual } from "node:util";
-import { PNG } from "pngjs";
+import decodeWebp, { init as startWebp } from "@jsquash/webp/decode.js";
 import { open, pixelsOfProgram } from "./browser.mjs";
-import { browser, middle, program, site, test } from "./harness.mjs";
+import { compressedSize } from "./compressed.mjs";
+import { browser, folder, middle, program, site, test } from "./harness.mjs";
+
+const PAGES = ["index.html", "light.html", "reflection.html", "shading.html", "picking.html", "navigation.html"];
+
+const decoder = join(import.meta.dirname, "../node_modules/@jsquash/webp/codec/dec/webp_dec.wasm");
+await startWebp(new WebAssembly.Module(readFileSync(decoder)));
+
+/** A still picture: its width and its pixels, four bytes each. */
+async function readStill(page, name) {
+  const still = await page.request.get(`${site.address}/stills/${name}.webp`);
+  assert.ok(still.ok(), `there is no still ${name}`);
+  const { width, data } = await decodeWebp(await still.body());
+  return { width, data: Buffer.from(data.buffer) };
+}
+
+const digestOf = (bytes) => [...createHash("sha256").update(bytes).digest()].join();
+
+/** The digest of a still picture's pixels. */
+const digestOfStill = async (page, name) => digestOf((await readStill(page, name)).data);
 
 test("every number of the page on light changes its picture and its ledger, and its stills are the program's", async () => {
   const { page, faults } = await open(browser.context, `${site.address}/light.html`);
@@ -24,10 +43,8 @@ test("every number of the page on light changes its picture and its ledger, and 
         return [...new Uint8Array(bytes)].join();
       });
     const first = await state();
-    const still = await page.request.get(`${site.address}/stills/light-${await figure.getAttribute("id")}.png`);
-    const { data } = PNG.sync.read(await still.body());
-    const digest = createHash("sha256").update(data).digest();
-    assert.equal([...digest].join(), first, "the still picture is the live one");
+    const still = await digestOfStill(page, `light-${await figure.getAttribute("id")}`);
+    assert.equal(still, first, "the still picture is the live one");
     const numbers = figure.locator("[role=slider]");
     const seen = new Set();
     for (let number = 0; number < (await numbers.count()); number++) {
@@ -83,9 +100,7 @@ async function compared(article, count) {
       });
     const first = await state();
     for (const [side, name] of ["problem", "cure"].entries()) {
-      const still = await page.request.get(`${site.address}/stills/${article}-${id}-${name}.png`);
-      const { data } = PNG.sync.read(await still.body());
-      assert.equal([...createHash("sha256").update(data).digest()].join(), first[side], `${id}, ${name}`);
+      assert.equal(await digestOfStill(page, `${article}-${id}-${name}`), first[side], `${id}, ${name}`);
     }
     assert.notEqual(first[0], first[1], `${id}: the cure changes something`);
     assert.match(await figure.locator(".said").textContent(), /differ by up to [1-9]/);
@@ -127,6 +142,13 @@ test("every number of the page on reflection changes its vectors, its ledger and
     });
   const first = await state();
   assert.equal(new Set(first).size, 25, "each ball of the table is another one");
+  const { width, data } = await readStill(page, "reflection-table");
+  for (const [at, live] of first.slice(1).entries()) {
+    const [left, top] = [(at % 6) * 104, Math.floor(at / 6) * 104];
+    const row = (y) => data.subarray(4 * (y * width + left), 4 * (y * width + left + 104));
+    const rows = Array.from({ length: 104 }, (_, y) => row(top + y));
+    assert.equal(digestOf(Buffer.concat(rows)), live, `ball ${at} of the still picture is the live one`);
+  }
   for (const slider of await page.locator("#vectors [role=slider]").all()) {
     const before = await state();
     await slider.press("PageDown");
@@ -239,9 +261,30 @@ test("ray, sliver, name stack and picture of ids agree wherever one clicks, and 
   await page.close();
 });
 
+test("no page fetches more than a megabyte until its first picture and its answers are there", async () => {
+  const sizes = new Map();
+  const sizeOf = (path) => {
+    if (!sizes.has(path)) sizes.set(path, compressedSize(join(folder, path)));
+    return sizes.get(path);
+  };
+  for (const name of PAGES) {
+    const page = await browser.context.newPage();
+    const fetched = new Set();
+    page.on("request", (request) => fetched.add(new URL(request.url()).pathname));
+    await page.goto(`${site.address}/${name}`);
+    await page.evaluate(() => window.luxel.ready);
+    await page.waitForLoadState("networkidle");
+    await page.close();
+    assert.ok(fetched.has("/luxel/answers.wasm"), `${name} has not fetched all`);
+    const sum = [...fetched].reduce((sum, path) => sum + sizeOf(path), 0);
+    console.log(`${name}: ${sum} bytes in ${fetched.size} files`);
+    assert.ok(sum <= 1_000_000, `${name}: ${sum} bytes`);
+  }
+});
+
 test("axe finds nothing serious, in dark and light, on screens and phones", async () => {
   const axe = readFileSync(join(import.meta.dirname, "../node_modules/axe-core/axe.min.js"), "utf8");
-  for (const name of ["index.html", "light.html", "reflection.html", "shading.html", "picking.html", "navigation.html"]) {
+  for (const name of PAGES) {
     for (const colorScheme of ["dark", "light"]) {
       for (const viewport of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
         const { page, faults } = await open(browser.context, `${site.address}/${name}`, { colorScheme, viewport });

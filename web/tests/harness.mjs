@@ -6,12 +6,14 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { launch, open, serve } from "./browser.mjs";
 
-const [folder, program, models, only = ""] = process.argv.slice(2);
+const [siteFolder, program, models, only = ""] = process.argv.slice(2);
 if (program === undefined) {
   console.error("usage: node tests/pages.mjs SITE PROGRAM [MODELS [NAME]]");
   process.exit(2);
 }
-const site = await serve(resolve(folder));
+/** The folder that holds the site. */
+const folder = resolve(siteFolder);
+const site = await serve(folder);
 const browser = await launch();
 /** A folder for files of tests. */
 const work = mkdtempSync(join(tmpdir(), "luxel-pages-"));
@@ -51,4 +53,4 @@ async function middle(page) {
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
-export { browser, middle, models, only, pixelsOf, program, site, test, tests, withViewer, work };
+export { browser, folder, middle, models, only, pixelsOf, program, site, test, tests, withViewer, work };

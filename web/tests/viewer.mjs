@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { open, pixelsOfProgram } from "./browser.mjs";
 import { browser, middle, models, pixelsOf, program, site, test, withViewer, work } from "./harness.mjs";
@@ -48,6 +48,26 @@ test("a link with lights, shadows and shading has the bytes of the program", asy
     assert.ok((await pixelsOf(page)).equals(expected));
   });
 });
+
+test("a saved picture is the program's file, byte for byte, in linear light, too", () =>
+  withViewer("#demo=teapot&size=64x64", async (page) => {
+    for (const settings of [{ size: "320x240" }, { size: "33x20", encoding: "none", background: "tomato" }]) {
+      const file = await page.evaluate(async (settings) => {
+        const { demo } = await import("./luxel/luxel.js");
+        const scene = await demo("teapot");
+        const view = await scene.view(settings);
+        const bytes = [...new Uint8Array(await (await view.png()).arrayBuffer())];
+        scene.dispose();
+        return bytes;
+      }, settings);
+      const flags = Object.entries(settings).flatMap(([name, value]) => [`--${name}`, value]);
+      const expected = execFileSync(program, ["render", "demo:teapot", ...flags, "-o", "-", "--quiet"]);
+      assert.ok(expected.equals(Buffer.from(file)), JSON.stringify(settings));
+    }
+    const [saved] = await Promise.all([page.waitForEvent("download"), page.locator("#screenshot").click()]);
+    const expected = execFileSync(program, ["render", "demo:teapot", "--size", "64x64", "-o", "-", "--quiet"]);
+    assert.ok(expected.equals(readFileSync(await saved.path())), saved.suggestedFilename());
+  }));
 
 test("several workers draw the bytes of one", () =>
   withViewer("#demo=teapot&size=64x64", async (page) => {

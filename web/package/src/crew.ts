@@ -19,7 +19,7 @@ export interface Options {
   wasmUrl?: string | URL;
   /** The address of the module that answers: picks, ledgers, layers. */
   answersUrl?: string | URL;
-  /** The address of the module that reads files. */
+  /** The address of the module that reads files, and writes PNG. */
   readersUrl?: string | URL;
 }
 

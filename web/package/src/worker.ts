@@ -62,7 +62,6 @@ const QUESTIONS: ReadonlySet<CallName> = new Set([
   "ledger",
   "pick",
   "pickRect",
-  "png",
 ]);
 
 /** Motion about the point under the pointer. */
@@ -75,7 +74,7 @@ function asks({ name, parameters }: Request): boolean {
   return events.some(([event]) => POINTING.has(event));
 }
 
-/** The module of readers, fetched for the first file. */
+/** The module that reads and writes files, fetched for the first one. */
 async function readersModule(): Promise<typeof Readers> {
   readers ??= import("../wasm/readers.js").then(async (module) => {
     await module.default({ module_or_path: fetch(urls.readers) });
@@ -230,7 +229,13 @@ const answers: Answers = {
   },
 
   layerPicture: (id, name) => pixels(got(views, id, "view").view.layer_picture(name)),
-  png: (id) => got(views, id, "view").view.png() as Uint8Array<ArrayBuffer>,
+
+  async png(id) {
+    const { write_png } = await readersModule();
+    const { view } = got(views, id, "view");
+    return write_png(view.width, view.height, view.is_srgb, view.draw(0)) as Uint8Array<ArrayBuffer>;
+  },
+
   pick: (id, x, y, through) => got(views, id, "view").view.pick_json(x, y, through),
   pickRect: (id, x, y, w, h, visible) => got(views, id, "view").view.pick_rect(x, y, w, h, visible),
 

@@ -1,9 +1,13 @@
-//! luxel's readers of model files in WebAssembly, a module of its own: a page that opens no file fetches none.
+//! luxel's readers of model files in WebAssembly, and its writer of pictures: a module of its own, so that a page that
+//! neither opens nor saves a file fetches none of it.
 
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 
 use luxel::formats::{Error, GivenFiles, Limits, Loaded, Warning, open, open_environment};
+use luxel::lighting::PictureEncoding;
+use luxel::render::{PictureFormat, write_rgba8};
+use luxel::scene::Size;
 use std::path::{Path, PathBuf};
 use wasm_bindgen::prelude::*;
 
@@ -87,6 +91,28 @@ pub fn read(path: &str, files: Files, max_memory: f64) -> Result<Packed, JsError
 pub fn read_environment(path: &str, files: Files, max_memory: f64) -> Result<Packed, JsError> {
     let loaded = within(files, max_memory, |limits| open_environment(Path::new(path), limits))?;
     Ok(Packed::new(luxel::pack_map(&loaded.map), &loaded.warnings))
+}
+
+/// A picture as a PNG file, with the bytes that the program writes: four bytes a pixel, rows from the top; encoded as
+/// sRGB, or linear.
+///
+/// # Errors
+/// An exception if `pixels` are not those of `width` x `height`.
+#[wasm_bindgen]
+pub fn write_png(
+    width: u32,
+    height: u32,
+    is_srgb: bool,
+    pixels: &[u8],
+) -> Result<Vec<u8>, JsError> {
+    let encoding = if is_srgb { PictureEncoding::Srgb } else { PictureEncoding::None };
+    let (pixels, []) = pixels.as_chunks() else {
+        return Err(JsError::new("pixels have four bytes each"));
+    };
+    let mut bytes = Vec::new();
+    write_rgba8(PictureFormat::Png, Size { width, height }, pixels, encoding, &mut bytes)
+        .map_err(|error| JsError::new(&error.to_string()))?;
+    Ok(bytes)
 }
 
 fn within<T>(

@@ -6,9 +6,17 @@ import type { TABLE } from "./figures/reflection.ts";
 import { DemoView, Live } from "./live.ts";
 import { draggable } from "./number.ts";
 
+interface Cell {
+  canvas: HTMLCanvasElement;
+  still: HTMLImageElement;
+  ks: number;
+  n: number;
+  pixels?: Uint8ClampedArray;
+}
+
 export class LiveTable extends Live {
   readonly #table: typeof TABLE;
-  readonly #cells: { canvas: HTMLCanvasElement; ks: number; n: number; pixels?: Uint8ClampedArray }[] = [];
+  readonly #cells: Cell[] = [];
   readonly #view: DemoView;
   #about: number;
 
@@ -23,8 +31,11 @@ export class LiveTable extends Live {
       for (const n of table.n) {
         const canvas = element("canvas", { role: "img", "aria-label": `A ball with k_s = ${ks} and n = ${n}` });
         [canvas.width, canvas.height] = table.size;
-        images[this.#cells.length]!.replaceWith(canvas);
-        this.#cells.push({ canvas, ks, n });
+        // In its place until the ball is drawn.
+        const still = images[this.#cells.length]!;
+        canvas.hidden = true;
+        still.after(canvas);
+        this.#cells.push({ canvas, still, ks, n });
       }
     }
     const slider = draggable(table.about, (value) => {
@@ -41,6 +52,8 @@ export class LiveTable extends Live {
       const view = await this.#view.with({ size, ...settings(cell.ks, cell.n, this.#about) });
       const image = await view.render({ workers: 1 });
       cell.canvas.getContext("2d")!.putImageData(image, 0, 0);
+      cell.canvas.hidden = false;
+      cell.still.remove();
       cell.pixels = image.data;
     }
   }

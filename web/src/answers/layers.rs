@@ -1,11 +1,8 @@
-//! The layers of a picture, and the picture as a file.
+//! The layers of a picture.
 
 use crate::error::exception;
 use crate::view::ModelView;
-use luxel::lighting::PictureEncoding;
-use luxel::render::{
-    Layer, LayerImage, LayerValues, Picture, PictureFormat, layer_rgb8, write_rgba8,
-};
+use luxel::render::{Layer, LayerImage, LayerValues, layer_rgb8};
 use wasm_bindgen::JsError;
 
 pub(super) fn layer(view: &ModelView, name: &str) -> Result<LayerValues, JsError> {
@@ -23,13 +20,4 @@ fn values_of(view: &ModelView, layer: &Layer) -> Result<LayerValues, JsError> {
     let values =
         view.renderer.layers(&view.view, std::slice::from_ref(layer)).map_err(exception)?;
     values.into_iter().next().ok_or_else(|| exception("no layer"))
-}
-
-pub(super) fn png(view: &ModelView) -> Result<Vec<u8>, JsError> {
-    let picture = view.renderer.rgba8(&view.view).map_err(exception)?;
-    let Picture { size, pixels, .. } = &picture;
-    let encoding: PictureEncoding = view.view.encoding;
-    let mut bytes = Vec::new();
-    write_rgba8(PictureFormat::Png, *size, pixels, encoding, &mut bytes).map_err(exception)?;
-    Ok(bytes)
 }

@@ -34,7 +34,6 @@ pub(crate) struct Answers {
     pub(crate) pick: fn(&mut ModelView, [f64; 2]) -> Result<Option<String>, JsError>,
     pub(crate) pick_json: fn(&mut ModelView, [f64; 2], bool) -> Result<String, JsError>,
     pub(crate) pick_rect: fn(&mut ModelView, [f64; 4], bool) -> Result<String, JsError>,
-    pub(crate) png: fn(&ModelView) -> Result<Vec<u8>, JsError>,
 }
 
 static ANSWERS: Answers = Answers {
@@ -47,7 +46,6 @@ static ANSWERS: Answers = Answers {
     pick: picks::pick,
     pick_json: picks::pick_json,
     pick_rect: picks::pick_rect,
-    png: layers::png,
 };
 
 /// What answers, in the same module.
