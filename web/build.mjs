@@ -5,7 +5,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } fr
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import encodeWebp, { init as startWebp } from "@jsquash/webp/encode.js";
-import { build } from "esbuild";
+import { build, transform } from "esbuild";
 import { PNG } from "pngjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -50,9 +50,7 @@ cpSync(dist, join(out, "luxel"), { recursive: true, filter: (path) => !path.ends
 const articles = ["light", "reflection", "shading", "picking", "navigation"];
 const entries = ["viewer", ...articles].map((name) => join(here, `site/src/${name}.ts`));
 await build({ ...common, plugins: [asPage], entryPoints: entries, outdir: out });
-for (const name of ["style.css", "favicon.svg"]) {
-  cpSync(join(here, "site", name), join(out, name));
-}
+cpSync(join(here, "site/favicon.svg"), join(out, "favicon.svg"));
 
 /** The links to all articles, of which one may be the page's own. */
 const links = (own) => {
@@ -63,7 +61,14 @@ const links = (own) => {
   return `<nav aria-label="Pages"><ul class="pages">${items.join("")}</ul></nav>`;
 };
 const source = (name) => readFileSync(join(here, "site", name), "utf8");
-writeFileSync(join(out, "index.html"), source("index.html").replace("{pages}", links()));
+const { code: style } = await transform(source("style.css"), { loader: "css", minify: true });
+/** Writes a page with its style in it: the first paint waits for no second file. */
+const writePage = (name, page) => {
+  const link = '<link rel="stylesheet" href="style.css">';
+  if (!page.includes(link)) throw new Error(`${name} has no style`);
+  writeFileSync(join(out, name), page.replace(link, () => `<style>${style.trim()}</style>`));
+};
+writePage("index.html", source("index.html").replace("{pages}", links()));
 /** Writes an article: its text, with what figures add to it, in the frame that all have. */
 const writeArticle = (name, change = (text) => text) => {
   const text = source(`${name}.html`);
@@ -72,7 +77,7 @@ const writeArticle = (name, change = (text) => text) => {
   const main = change(text.slice(text.indexOf("<main>")).trimEnd());
   const parts = { title, description, name, pages: links(name), main };
   const page = source("article.html").replace(/\{(\w+)\}/g, (_, part) => parts[part]);
-  writeFileSync(join(out, `${name}.html`), page);
+  writePage(`${name}.html`, page);
 };
 
 // Still pictures, drawn by the same modules: shown before they arrive, without JavaScript, and in print.
@@ -90,6 +95,8 @@ const exportsOf = async (file) => {
 const { pairs } = await exportsOf("package/src/settings.ts");
 /** All still pictures by their files. */
 const stills = new Map();
+/** What they show, and where in them: tests draw the same with the program. */
+const shown = [];
 /** Keeps a still picture to be written; gives its address. */
 const kept = (name, picture) => {
   const file = `stills/${name}.webp`;
@@ -107,7 +114,10 @@ const drawn = (demo, settings) => {
   view.free();
   return picture;
 };
-const still = (name, demo, settings) => kept(name, drawn(demo, settings));
+const still = (name, demo, settings) => {
+  shown.push({ name, demo, pairs: pairs(settings), at: [0, 0] });
+  return kept(name, drawn(demo, settings));
+};
 still("teapot", "teapot", { size: "960x540" });
 const light = await exportsOf("site/src/figures/light.ts");
 /** The picture of ids, as a page shows it. */
@@ -161,9 +171,10 @@ const [ballWidth, ballHeight] = TABLE.size;
 const balls = new PNG({ width: ballWidth * TABLE.n.length, height: ballHeight * TABLE.ks.length });
 const ballsFile = kept("reflection-table", balls);
 const cell = (ks, n) => {
-  const ball = drawn(TABLE.demo, { size: TABLE.size, ...TABLE.settings(ks, n, TABLE.about.value) });
+  const settings = { size: TABLE.size, ...TABLE.settings(ks, n, TABLE.about.value) };
   const [x, y] = [TABLE.n.indexOf(n) * ballWidth, TABLE.ks.indexOf(ks) * ballHeight];
-  PNG.bitblt(ball, balls, 0, 0, ballWidth, ballHeight, x, y);
+  PNG.bitblt(drawn(TABLE.demo, settings), balls, 0, 0, ballWidth, ballHeight, x, y);
+  shown.push({ name: "reflection-table", demo: TABLE.demo, pairs: pairs(settings), at: [x, y] });
   const place = `width="${ballWidth}" height="${ballHeight}" style="object-position: ${-x}px ${-y}px"`;
   return `<td><img src="${ballsFile}" ${place} loading="lazy" alt="A ball with k_s = ${ks} and n = ${n}"></td>`;
 };
@@ -180,6 +191,7 @@ await startWebp(new WebAssembly.Module(readFileSync(join(here, "node_modules/@js
 for (const [file, picture] of stills) {
   writeFileSync(join(out, file), Buffer.from(await encodeWebp(picture, { lossless: 1, exact: 1 })));
 }
+writeFileSync(join(here, "stills.json"), JSON.stringify(shown));
 
 // A browser asks for an icon of this name, whatever the page says: a PNG picture in the container of ICO files.
 const icon = PNG.sync.write(drawn("spheres", { size: "32x32", samples: 16 }));

@@ -1,4 +1,5 @@
-// Tests of the articles: their numbers, their stills, their tutors; and of all pages, that nothing keeps people out.
+// Tests of the articles: their numbers, their stills, their tutors; and of all pages, what they fetch, and that axe finds
+// no barriers.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -24,10 +25,29 @@ async function readStill(page, name) {
   return { width, data: Buffer.from(data.buffer) };
 }
 
+/** The pixels of a part of a picture. */
+function partOf({ width, data }, [left, top], [partWidth, partHeight]) {
+  const row = (y) => data.subarray(4 * (y * width + left), 4 * (y * width + left + partWidth));
+  return Buffer.concat(Array.from({ length: partHeight }, (_, y) => row(top + y)));
+}
+
 const digestOf = (bytes) => [...createHash("sha256").update(bytes).digest()].join();
 
 /** The digest of a still picture's pixels. */
 const digestOfStill = async (page, name) => digestOf((await readStill(page, name)).data);
+
+test("every still picture of the pages is the program's", async () => {
+  const shown = JSON.parse(readFileSync(join(import.meta.dirname, "../stills.json"), "utf8"));
+  assert.ok(shown.length > 50);
+  const page = await browser.context.newPage();
+  for (const { name, demo, pairs, at } of shown) {
+    const flags = pairs.map(([flag, text]) => (text === "" ? `--${flag}` : `--${flag}=${text}`));
+    const [width, height] = pairs.find(([flag]) => flag === "size")[1].split("x").map(Number);
+    const part = partOf(await readStill(page, name), at, [width, height]);
+    assert.ok(part.equals(pixelsOfProgram(program, `demo:${demo}`, flags)), `${name} at ${at}: ${flags.join(" ")}`);
+  }
+  await page.close();
+});
 
 test("every number of the page on light changes its picture and its ledger, and its stills are the program's", async () => {
   const { page, faults } = await open(browser.context, `${site.address}/light.html`);
@@ -142,12 +162,10 @@ test("every number of the page on reflection changes its vectors, its ledger and
     });
   const first = await state();
   assert.equal(new Set(first).size, 25, "each ball of the table is another one");
-  const { width, data } = await readStill(page, "reflection-table");
+  const still = await readStill(page, "reflection-table");
   for (const [at, live] of first.slice(1).entries()) {
     const [left, top] = [(at % 6) * 104, Math.floor(at / 6) * 104];
-    const row = (y) => data.subarray(4 * (y * width + left), 4 * (y * width + left + 104));
-    const rows = Array.from({ length: 104 }, (_, y) => row(top + y));
-    assert.equal(digestOf(Buffer.concat(rows)), live, `ball ${at} of the still picture is the live one`);
+    assert.equal(digestOf(partOf(still, [left, top], [104, 104])), live, `ball ${at} of the still picture is the live one`);
   }
   for (const slider of await page.locator("#vectors [role=slider]").all()) {
     const before = await state();

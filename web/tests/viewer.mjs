@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { open, pixelsOfProgram } from "./browser.mjs";
@@ -15,13 +16,12 @@ test("the first page shows the teapot and no fault", () =>
     assert.equal(await page.locator("#demo option").count() > 10, true);
   }));
 
-const DEMOS = ["teapot", "spheres", "cornell", "plane", "welcome", "primitives", "materials", "textures", "fog", "machine"];
+/** Names of the built-in scenes. */
+const DEMOS = JSON.parse(execFileSync(program, ["demos", "--json"], { encoding: "utf8" })).map((demo) => demo.name);
 
-test("ten demos have the bytes of the program", async () => {
-  const list = JSON.parse(execFileSync(program, ["demos", "--json"], { encoding: "utf8" }));
-  const names = (list.demos ?? list).map((demo) => demo.name);
-  const chosen = [...DEMOS.filter((name) => names.includes(name)), ...names.filter((name) => !DEMOS.includes(name))];
-  for (const [at, name] of chosen.slice(0, 12).entries()) {
+test("all demos have the bytes of the program", async () => {
+  assert.ok(DEMOS.length > 15);
+  for (const [at, name] of DEMOS.entries()) {
     const samples = ["1", "4"][at % 2];
     const flags = ["--size", "300x200", "--samples", samples];
     await withViewer(`#demo=${name}&size=300x200&samples=${samples}`, async (page) => {
@@ -31,6 +31,39 @@ test("ten demos have the bytes of the program", async () => {
     });
   }
 });
+
+const LAYERS = [
+  ...["depth", "z", "normal", "position", "object", "triangle", "barycentric", "uv", "ambient", "diffuse", "specular"],
+  ...["emission", "environment", "fog", "n_dot_l", "openness"],
+];
+
+test("all layers have the program's values", () =>
+  withViewer("#demo=teapot&size=64x64", async (page) => {
+    const settings = { size: "160x120", samples: 4, shadows: true, ao: true, fog: "law=exp:density=0.1" };
+    const flags = ["--size", "160x120", "--samples", "4", "--shadows", "--ao", "--fog", settings.fog];
+    for (const [demo, light] of [["teapot", "key"], ["welcome", "sun"]]) {
+      for (const layer of [...LAYERS, `light:${light}`, `shadow:${light}`]) {
+        const [length, digest] = await page.evaluate(
+          async ([name, settings, layer]) => {
+            const { demo } = await import("./luxel/luxel.js");
+            const scene = await demo(name);
+            const view = await scene.view(settings);
+            const { buffer } = (await view.layers([layer]))[layer];
+            scene.dispose();
+            return [buffer.byteLength, [...new Uint8Array(await crypto.subtle.digest("SHA-256", buffer))].join()];
+          },
+          [demo, settings, layer],
+        );
+        const file = join(work, "layer.npy");
+        execFileSync(program, ["render", `demo:${demo}`, ...flags, "--layer", layer, "-o", file, "--quiet"]);
+        const array = readFileSync(file);
+        // NumPy's format, version 1: a magic number of eight bytes, the length of a header, the header.
+        const values = array.subarray(10 + array.readUInt16LE(8));
+        assert.equal(values.length, length, `${layer} of ${demo}`);
+        assert.equal([...createHash("sha256").update(values).digest()].join(), digest, `${layer} of ${demo}`);
+      }
+    }
+  }));
 
 test("a link with lights, shadows and shading has the bytes of the program", async () => {
   const flags = {
