@@ -9,6 +9,7 @@ mod feedback;
 mod golden;
 mod interpolation;
 mod layers;
+mod layers_of_terms;
 mod ledger;
 mod light;
 mod scenes;
