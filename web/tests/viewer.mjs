@@ -102,6 +102,28 @@ test("a saved picture is the program's file, byte for byte, in linear light, too
     assert.ok(expected.equals(readFileSync(await saved.path())), saved.suggestedFilename());
   }));
 
+test("a picture that can't be saved says what is missing, and is saved once that is there", async () => {
+  const page = await browser.context.newPage();
+  let answer = (route) => route.fulfill({ status: 404 });
+  await page.context().route("**/readers_bg.wasm", (route) => answer(route));
+  try {
+    await page.goto(`${site.address}/index.html#demo=teapot&size=64x64`);
+    const saved = () =>
+      page.evaluate(async () => {
+        const { demo } = await import("./luxel/luxel.js");
+        const scene = await demo("teapot");
+        const view = await scene.view({ size: "32x32" });
+        return view.png().then((file) => file.size, (error) => error.message).finally(() => scene.dispose());
+      });
+    assert.match(String(await saved()), /readers_bg\.wasm: 404/);
+    answer = (route) => route.continue();
+    assert.ok((await saved()) > 100);
+  } finally {
+    await page.context().unroute("**/readers_bg.wasm");
+    await page.close();
+  }
+});
+
 test("several workers draw the bytes of one", () =>
   withViewer("#demo=teapot&size=64x64", async (page) => {
     const isSame = await page.evaluate(async () => {

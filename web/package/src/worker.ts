@@ -77,7 +77,7 @@ function asks({ name, parameters }: Request): boolean {
 /** The module that reads and writes files, fetched for the first one. */
 async function readersModule(): Promise<typeof Readers> {
   readers ??= import("../wasm/readers.js").then(async (module) => {
-    await module.default({ module_or_path: fetch(urls.readers) });
+    await module.default({ module_or_path: await compile(urls.readers) });
     return module;
   });
   try {
