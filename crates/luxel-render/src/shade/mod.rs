@@ -11,6 +11,7 @@ mod screen_interpolation;
 mod shadowed;
 mod studied;
 mod triangle_terms;
+mod whole_lanes;
 mod whole_place;
 mod witness;
 

@@ -3,8 +3,8 @@
 use crate::context::{AttributeMask, ShadingContext};
 use crate::material::{Attributes, Corner};
 use crate::setup::{CornerReader, ReadCorners};
-use crate::shade::flat_light::{Wholes, vector};
 use crate::shade::lit_triangle::LitTriangle;
+use crate::shade::whole_lanes::{WholeLanes, vector};
 use luxel_math::{LANES, Lanes, SplitLanes, lanes_of};
 use luxel_visibility::TriangleId;
 
@@ -128,7 +128,7 @@ impl Places {
     }
 
     fn put_wholes(&mut self, scene: &ShadingContext<'_>, (ids, lanes): (&[u32; LANES], u32)) {
-        let mut wholes = Wholes::new(scene);
+        let mut wholes = WholeLanes::new(scene);
         let of_places = wholes.put(ids, lanes);
         let into = &mut self.columns[0];
         for lane in lanes_of(lanes) {
