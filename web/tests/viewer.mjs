@@ -19,6 +19,45 @@ test("the first page shows the teapot and no fault", () =>
 /** Names of the built-in scenes. */
 const DEMOS = JSON.parse(execFileSync(program, ["demos", "--json"], { encoding: "utf8" })).map((demo) => demo.name);
 
+test("the viewer fills the window and no more, and its first picture stays", async () => {
+  for (const viewport of [{ width: 1280, height: 800 }, { width: 900, height: 700 }, { width: 1280, height: 420 }]) {
+    await withViewer(
+      "",
+      async (page) => {
+        const seen = () =>
+          page.evaluate(() => {
+            const canvas = document.querySelector("#canvas");
+            const fits = window.luxel.pixels(canvas).length === 4 * canvas.width * canvas.height;
+            return [fits, canvas.width, canvas.height, document.documentElement.scrollHeight];
+          });
+        const first = await seen();
+        await page.evaluate(() => window.luxel.settled());
+        await page.waitForFunction(() => document.querySelectorAll("#lights input").length > 0);
+        await page.mouse.move(...(await middle(page)));
+        await page.waitForFunction(() => document.querySelectorAll("#overlay line").length > 0);
+        assert.deepEqual(await seen(), first);
+        assert.deepEqual([first[0], first[3]], [true, viewport.height]);
+      },
+      { viewport },
+    );
+  }
+});
+
+test("vectors begin at the pixel that they are of, in a picture that is scrolled, too", () =>
+  withViewer("#demo=teapot&size=2000x1500", async (page) => {
+    await page.evaluate(() => document.querySelector("#picture").scrollTo(500, 300));
+    const box = await page.locator("#picture").boundingBox();
+    const pointer = [box.x + 420.5, box.y + 300.5];
+    await page.mouse.move(...pointer, { steps: 3 });
+    await page.waitForFunction(() => document.querySelector("#status").textContent.startsWith("Pixel 920, 600"));
+    const begins = await page.evaluate(() => {
+      const line = document.querySelector("#overlay line");
+      const toWindow = line.getScreenCTM();
+      return [line.x1.baseVal.value + toWindow.e, line.y1.baseVal.value + toWindow.f];
+    });
+    assert.deepEqual(begins, pointer);
+  }));
+
 test("all demos have the bytes of the program", async () => {
   assert.ok(DEMOS.length > 15);
   for (const [at, name] of DEMOS.entries()) {

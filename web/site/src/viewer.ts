@@ -218,11 +218,12 @@ function shownAt(): { left: number; top: number; scale: number } {
   };
 }
 
-/** The place of a pixel's centre over the picture, in pixels of the page. */
+/** The place of a pixel's centre over the picture, in pixels of the page; a picture that is too large scrolls. */
 function placeOf([x, y]: readonly [number, number]): [number, number] {
   const { left, top, scale } = shownAt();
   const outer = picture.getBoundingClientRect();
-  return [left - outer.left + (x + 0.5) * scale, top - outer.top + (y + 0.5) * scale];
+  const [right, down] = [picture.scrollLeft - outer.left, picture.scrollTop - outer.top];
+  return [left + right + (x + 0.5) * scale, top + down + (y + 0.5) * scale];
 }
 
 const asking = new Asking({
