@@ -15,6 +15,7 @@ const out = resolve(process.argv[2]);
 const dist = await writePackage(out);
 await writeScripts(out, dist);
 const stills = new Stills();
+// The texts come first: some stills are added with them.
 await writeTexts(out, await addFigures(stills));
 await stills.write(out);
 writeFileSync(join(out, "favicon.ico"), icon());

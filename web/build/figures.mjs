@@ -4,7 +4,10 @@ import { exportsOf } from "./typescript.mjs";
 
 const figuresOf = (article) => exportsOf(`site/src/figures/${article}.ts`);
 
-/** Draws the stills of all pages; for each article that takes more from its figures' data what changes its text. */
+/**
+ * Adds the stills of all pages; for articles with figures that are in their data alone, gives what puts these into the
+ * text, and adds their stills.
+ */
 export async function addFigures(stills) {
   stills.add("teapot", "teapot", { size: "960x540" });
   const light = await figuresOf("light");

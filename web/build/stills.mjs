@@ -24,7 +24,7 @@ function pictureOf(demo, settings, draw) {
 }
 
 /** The picture of a built-in scene with these settings. */
-export const drawn = (demo, settings) => pictureOf(demo, settings, (view) => view.draw(0));
+const drawn = (demo, settings) => pictureOf(demo, settings, (view) => view.draw(0));
 
 /** Still pictures, until they are written. */
 export class Stills {
@@ -46,6 +46,7 @@ export class Stills {
 
   /** The picture of a scene's ids, as a page shows it; its address. */
   addIds(name, demo, settings) {
+    this.#shown.push({ name, demo, pairs: [...pairs(settings), ["layer", "object"]], at: [0, 0] });
     return this.#keep(name, pictureOf(demo, settings, (view) => view.layer_picture("object")));
   }
 

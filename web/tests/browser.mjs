@@ -96,8 +96,9 @@ export async function open(context, address, { viewport, colorScheme } = {}) {
   return { page, faults };
 }
 
-/** The pixels of a picture that the program draws: red, green, blue and alpha. */
+/** The pixels of a picture that the program draws: red, green, blue and alpha; the high bytes of layers' 16 bits. */
 export function pixelsOfProgram(program, model, flags) {
   const png = execFileSync(program, ["render", model, ...flags, "-o", "-", "--quiet"], { maxBuffer: 1 << 28 });
-  return PNG.sync.read(png).data;
+  const { data, depth } = PNG.sync.read(png, { skipRescale: true });
+  return depth === 16 ? Buffer.from(data.map((word) => word >> 8)) : data;
 }

@@ -1,7 +1,7 @@
 // Tests of the viewer, with real mouse, keyboard and touch events.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -71,17 +71,18 @@ test("all demos have the bytes of the program", async () => {
   }
 });
 
-const LAYERS = [
-  ...["depth", "z", "normal", "position", "object", "triangle", "barycentric", "uv", "ambient", "diffuse", "specular"],
-  ...["emission", "environment", "fog", "n_dot_l", "openness"],
-];
+/** Names of layers, as the program lists them: with NAME for that of a light. */
+const LAYERS = spawnSync(program, ["render", "demo:teapot", "--layer", "?", "-o", "-"], { encoding: "utf8" })
+  .stderr.match(/is not a layer: use (.*)/)[1]
+  .split(/, | or /);
 
 test("all layers have the program's values", () =>
   withViewer("#demo=teapot&size=64x64", async (page) => {
     const settings = { size: "160x120", samples: 4, shadows: true, ao: true, fog: "law=exp:density=0.1" };
     const flags = ["--size", "160x120", "--samples", "4", "--shadows", "--ao", "--fog", settings.fog];
+    assert.ok(LAYERS.length > 15 && LAYERS.includes("light:NAME"), LAYERS.join());
     for (const [demo, light] of [["teapot", "key"], ["welcome", "sun"]]) {
-      for (const layer of [...LAYERS, `light:${light}`, `shadow:${light}`]) {
+      for (const layer of LAYERS.map((name) => name.replace("NAME", light))) {
         const [length, digest] = await page.evaluate(
           async ([name, settings, layer]) => {
             const { demo } = await import("./luxel/luxel.js");
