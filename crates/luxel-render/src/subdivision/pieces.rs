@@ -433,4 +433,4 @@ pub(crate) fn mixed([a, b, c]: [[f32; 3]; 3], weights: [f32; 3]) -> [f32; 3] {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -54,41 +54,23 @@ impl SubdividedTriangles {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tries::EachPlace;
-    use super::super::{Asked, Comparison, TexelLight};
+    use super::super::pieces::tests::divided;
     use super::*;
-    use luxel_lighting::PictureEncoding;
-    use luxel_math::Level;
-
-    /// A triangle across which the light is `light`.
-    fn divided(light: fn(f32) -> f32) -> Pieces {
-        Pieces::new(Asked {
-            tolerance: 1.0,
-            light: &EachPlace(|[_, v, _]: [f32; 3]| [light(v); 3]),
-            comparison: Comparison {
-                level: Level::new(),
-                display: None,
-                encoding: PictureEncoding::None,
-                texels: TexelLight::WHITE,
-            },
-            window: &|[_, v, w]| Some([f64::from(v) * 100.0, f64::from(w) * 100.0]),
-            size: [100.0; 2],
-        })
-    }
 
     #[test]
     fn a_triangle_that_light_jumps_across_is_divided_once_for_all_tiles() {
-        let jump = |v| if v > 0.4 { 0.8 } else { 0.2 };
-        let even = |v| v;
+        let jump = |v: f32| if v > 0.4 { 0.8 } else { 0.2 };
+        let even = |v: f32| v;
+        let lit = |light: fn(f32) -> f32| divided(1.0, 100.0, |[_, v, _]| [light(v); 3]);
         let triangles = SubdividedTriangles::default();
         let mut times = [0; 2];
         for _ in 0..3 {
             for (number, light) in [jump, even].into_iter().enumerate() {
                 let pieces = triangles.pieces(TriangleId(number as u32), || {
                     times[number] += 1;
-                    divided(light)
+                    lit(light)
                 });
-                assert_eq!(pieces.count, divided(light).count);
+                assert_eq!(pieces.count, lit(light).count);
             }
         }
         // The other has few pieces: it costs less to divide it again than to keep it.

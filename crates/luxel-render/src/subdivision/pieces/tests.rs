@@ -5,7 +5,12 @@ use super::*;
 use luxel_lighting::PictureEncoding;
 use luxel_math::Level;
 
-fn pieces(tolerance: f32, light: impl Fn(Place) -> [f32; 3]) -> Pieces {
+/// The pieces of a triangle with sides of `side` pixels, across which the light is `light`.
+pub(in crate::subdivision) fn divided(
+    tolerance: f32,
+    side: f64,
+    light: impl Fn(Place) -> [f32; 3],
+) -> Pieces {
     Pieces::new(Asked {
         tolerance,
         light: &EachPlace(light),
@@ -15,9 +20,13 @@ fn pieces(tolerance: f32, light: impl Fn(Place) -> [f32; 3]) -> Pieces {
             encoding: PictureEncoding::None,
             texels: TexelLight::WHITE,
         },
-        window: &|[_, v, w]| Some([f64::from(v) * 300.0, f64::from(w) * 300.0]),
-        size: [300.0; 2],
+        window: &|[_, v, w]| Some([f64::from(v) * side, f64::from(w) * side]),
+        size: [side; 2],
     })
+}
+
+fn pieces(tolerance: f32, light: impl Fn(Place) -> [f32; 3]) -> Pieces {
+    divided(tolerance, 300.0, light)
 }
 
 /// A narrow highlight in the middle, which no corner and no edge sees.
