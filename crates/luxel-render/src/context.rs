@@ -156,13 +156,24 @@ impl ShadingContext<'_> {
             NormalLength::Unit => unit,
             NormalLength::Interpolated => normal,
         };
-        // The distance from the eye along the viewing axis.
-        let depth = if self.needs_positions {
+        SurfacePoint { position, normal, view, depth: self.depth(position) }
+    }
+
+    /// The surface point of a sample whose light was computed elsewhere: its place, and neither N nor V.
+    #[inline(always)]
+    pub(crate) fn point_lit_elsewhere<N: Lanes>(&self, position: Vec3<N>) -> SurfacePoint<N> {
+        let nothing = Vec3::splat(position.x, [0.0; 3]);
+        SurfacePoint { position, normal: nothing, view: nothing, depth: self.depth(position) }
+    }
+
+    /// The distance of places from the eye along the viewing axis; 0 where no positions are needed.
+    #[inline(always)]
+    fn depth<N: Lanes>(&self, position: Vec3<N>) -> N {
+        if self.needs_positions {
             position.dot(Vec3::splat(position.x, self.direction))
         } else {
             position.x.zero()
-        };
-        SurfacePoint { position, normal, view, depth }
+        }
     }
 }
 

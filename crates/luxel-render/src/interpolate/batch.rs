@@ -3,17 +3,18 @@
 use luxel_math::{LANES, SUBPIXELS};
 use luxel_visibility::{BLOCK, BLOCKS, Samples, Tile, TriangleId};
 
-/// Sixteen samples of one tile.
+/// Sixteen samples of one tile. Rows of lanes are lines of the cache.
+#[repr(C, align(64))]
 pub(crate) struct Batch {
-    /// The first pixel of the tile.
-    pub(crate) tile: [i32; 2],
     /// What each sample sees.
     pub(crate) ids: [u32; LANES],
-    /// Whether all are known to see the same triangle.
-    pub(crate) is_single: bool,
     /// Where each lies, in pixels from the tile's first corner: multiples of 1/256.
     pub(crate) x: [f32; LANES],
     pub(crate) y: [f32; LANES],
+    /// The first pixel of the tile.
+    pub(crate) tile: [i32; 2],
+    /// Whether all are known to see the same triangle.
+    pub(crate) is_single: bool,
 }
 
 /// Columns and rows of a block's lanes.

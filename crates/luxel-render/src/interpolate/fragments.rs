@@ -352,7 +352,7 @@ impl<N: Lanes> Fragments<N> {
 
 /// Writes the material of lanes.
 #[inline(always)]
-fn put_material(materials: &mut [u32; LANES], lanes: u32, material: u32) {
+pub(crate) fn put_material(materials: &mut [u32; LANES], lanes: u32, material: u32) {
     for (lane, own) in materials.iter_mut().enumerate() {
         if lanes >> lane & 1 == 1 {
             *own = material;

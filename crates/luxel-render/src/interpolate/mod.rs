@@ -4,4 +4,4 @@ mod batch;
 mod fragments;
 
 pub(crate) use batch::{Batch, nearest_sample};
-pub(crate) use fragments::{Fragments, SHARED, Wanted};
+pub(crate) use fragments::{Fragments, SHARED, Wanted, put_material};

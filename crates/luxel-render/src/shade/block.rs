@@ -1,57 +1,21 @@
 //! Sixteen samples into light: the one way from what a batch sees to its colours.
 
+use super::colors::{background, by_material, color_where, finished};
+use super::display::displayed;
+use super::flat_light::shade_flat;
+use super::points::{point_heard, point_of};
+use super::studied::{is_studied, shadow, study};
+use super::thread_cache::ThreadCache;
+use super::witness::BlockWitness;
 use crate::context::{LitAt, ShadingContext, needs};
 use crate::interpolate::{Batch, Fragments, Wanted};
-use crate::material::{Attributes, lit, lit_elsewhere, shading_normal};
+use crate::material::{lit, lit_elsewhere, shading_normal};
 use crate::setup::SetupCache;
-use crate::shade::display::displayed;
-use crate::shade::flat_light::FlatLights;
-use crate::shade::kept_points::KeptPoints;
-use crate::shade::lit_triangle::LitTriangles;
-use crate::shade::studied::{draw_edges, is_studied, shadow, study};
-use crate::shade::triangle_terms::TriangleTerms;
-use crate::shade::witness::BlockWitness;
 use crate::shadow::{BATCHES, OcclusionLanes, SeenSamples};
 use luxel_lighting::{Occlusion, Silent, SurfacePoint};
 use luxel_math::{LANES, Lanes, lanes_of};
 use luxel_view::ShadingMode;
 use luxel_visibility::TriangleId;
-
-/// What a thread keeps from block to block.
-pub(crate) struct ThreadCache {
-    pub(crate) setup: SetupCache,
-    /// Triangles whose light is computed elsewhere than at their pixels, or interpolated in the window.
-    pub(crate) lit: LitTriangles,
-    /// Lights of triangles in flat shading.
-    pub(super) flat: FlatLights,
-    /// Terms of the light of corners and whole polygons, for layers.
-    pub(crate) terms: TriangleTerms,
-    /// Occlusion of batches' samples.
-    pub(crate) occlusion: OcclusionLanes,
-    /// Surface points of batches, while shadow rays are traced.
-    points: [KeptPoints; BATCHES],
-}
-
-impl ThreadCache {
-    pub(crate) fn new() -> Self {
-        Self {
-            setup: SetupCache::new(),
-            lit: LitTriangles::new(),
-            flat: FlatLights::new(),
-            terms: TriangleTerms::new(),
-            occlusion: OcclusionLanes::default(),
-            points: [KeptPoints::NONE; BATCHES],
-        }
-    }
-
-    /// Forgets the triangles of another frame.
-    pub(crate) fn begin_frame(&mut self) {
-        self.setup.begin_frame();
-        self.lit.begin_frame();
-        self.flat.begin_frame();
-        self.occlusion.begin_frame();
-    }
-}
 
 /// The colour (straight) and alpha of the samples, as the picture shows them; the background's where nothing
 /// is seen. Witnesses hear the light before exposure and tone curve.
@@ -73,6 +37,9 @@ pub(crate) fn shade<N: Lanes, W: BlockWitness<N>>(
             let seen = seen_lanes(simd, batch);
             if seen == 0 {
                 return background(simd, scene);
+            }
+            if scene.needs_flat_light_alone {
+                return shade_flat(simd, scene, batch, &mut cache.flat, witness, seen);
             }
             // Witnesses hear all attributes.
             if !N::IS_SPECIALIZED
@@ -192,39 +159,18 @@ fn shade_everything<N: Lanes, W: BlockWitness<N>>(
             let simd = simd.zero();
             let mut materials = [0; LANES];
             let mut found = Fragments::nothing(simd);
-            if scene.needs_flat_light_alone {
-                let of = (&batch.ids, seen);
-                found.attributes.light = cache.flat.of_lanes(simd, scene, of, &mut materials);
-            } else {
-                all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
-            }
+            all_fragments(simd, scene, batch, cache, seen, &mut found, &mut materials);
             let point = point_of(simd, scene, batch, &found);
             witness.fragments(scene, &found, &materials, &point, seen);
-            let mut result = background(simd, scene);
-            let mut left = seen;
-            while left != 0 {
-                let number = materials[left.trailing_zeros() as usize & (LANES - 1)];
-                let lanes = left & simd.eq_mask(&materials, number);
-                let own = &mut cache.occlusion;
-                let of = (number, lanes);
-                let color = light_of_material(scene, (batch, &found), &point, of, own, witness);
-                if lanes == simd.all_lanes() {
-                    result = color;
-                    break;
-                }
-                result = color_where(simd, lanes, color, result);
-                left &= !lanes;
-            }
-            // Surfaces alone: neither the background nor what is drawn over them.
-            if let Some(display) = &scene.display {
-                // A copy, because the call needs its arguments in memory, and only here.
-                let copy = result;
-                result = color_where(simd, seen, displayed(display, &copy), result);
-            }
-            if scene.edges.is_some() {
-                return draw_edges(scene, batch, seen, result);
-            }
-            result
+            let own = &mut cache.occlusion;
+            let result = by_material(
+                simd,
+                scene,
+                (&materials, seen),
+                #[inline(always)]
+                |of| light_of_material(scene, (batch, &found), &point, of, own, witness),
+            );
+            finished(simd, scene, batch, seen, result)
         },
     )
 }
@@ -247,7 +193,8 @@ fn shade_places<N: Lanes, W: BlockWitness<N>>(
             let count = batches.len().min(BATCHES);
             let shadows = scene.shadows.filter(|_| scene.shading.mode == ShadingMode::Phong);
             let mut found = Fragments::nothing(simd);
-            let (mut material, mut point) = (0, point_of(simd, scene, batches[0].0, &found));
+            let (mut material, mut point) =
+                (0, scene.point_lit_elsewhere(found.attributes.position));
             for (number, &(batch, seen)) in batches.iter().take(count).enumerate() {
                 if number > 0 {
                     cache.points[number - 1].keep(material, &point);
@@ -261,12 +208,14 @@ fn shade_places<N: Lanes, W: BlockWitness<N>>(
                     witness,
                 );
                 if let Some(shadows) = shadows {
+                    // Copies, because the call needs its arguments in memory, and only here.
+                    let (barycentric, seen_point) = (found.weights, point);
                     let samples = SeenSamples {
                         ids: &batch.ids,
                         lanes: seen,
                         position: &position_in(batch),
-                        barycentric: &found.weights,
-                        point: &point,
+                        barycentric: &barycentric,
+                        point: &seen_point,
                         smooth: point.normal,
                         is_mapped: false,
                     };
@@ -317,7 +266,11 @@ fn see<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     setup.begin_tile(batch.tile);
     let wanted = (seen, wanted);
     let material = found.interpolate::<NEEDS>(simd, scene, batch, setup, wanted, &mut materials);
-    let point = point_of(simd, scene, batch, found);
+    let point = if NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong {
+        point_of(simd, scene, batch, found)
+    } else {
+        point_heard::<N, W>(simd, scene, batch, found)
+    };
     witness.fragments(scene, found, &materials, &point, seen);
     (material, point)
 }
@@ -384,41 +337,6 @@ fn light_of_material<N: Lanes, W: BlockWitness<N>>(
     }
     let of = (number, lanes);
     lit::<N, W, { needs::ALL }>(scene, attributes, point, of, occlusion, witness)
-}
-
-/// The background in all lanes.
-#[inline(always)]
-fn background<N: Lanes>(simd: N, scene: &ShadingContext<'_>) -> [N; 4] {
-    let [r, g, b, alpha] = scene.background;
-    [simd.constant(r), simd.constant(g), simd.constant(b), simd.constant(alpha)]
-}
-
-/// One colour in the lanes whose bit is set, another elsewhere.
-#[inline(always)]
-fn color_where<N: Lanes>(simd: N, lanes: u32, color: [N; 4], other: [N; 4]) -> [N; 4] {
-    let mask = simd.mask_of(lanes);
-    let ([r, g, b, alpha], [other_r, other_g, other_b, other_alpha]) = (color, other);
-    [
-        r.select(mask, other_r),
-        g.select(mask, other_g),
-        b.select(mask, other_b),
-        alpha.select(mask, other_alpha),
-    ]
-}
-
-/// The surface points of a batch.
-#[inline(always)]
-pub(crate) fn point_of<N: Lanes>(
-    simd: N,
-    scene: &ShadingContext<'_>,
-    batch: &Batch,
-    found: &Fragments<N>,
-) -> SurfacePoint<N> {
-    let Attributes { position, normal, .. } = found.attributes;
-    let [tile_x, tile_y] = batch.tile;
-    let x = simd.load(&batch.x, 0) + simd.constant(tile_x as f32);
-    let y = simd.load(&batch.y, 0) + simd.constant(tile_y as f32);
-    scene.point_at_sample([x, y], position, normal)
 }
 
 /// All attributes of a batch, as the view interpolates and lights them. Other lanes than `seen` hold

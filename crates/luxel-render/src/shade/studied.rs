@@ -1,8 +1,8 @@
 //! What is there to be studied, sample by sample: light that is computed elsewhere than at pixels, attributes that are
 //! interpolated in the window, and edges of polygons.
 
-use super::block::ThreadCache;
 use super::shadowed::VisibleLights;
+use super::thread_cache::ThreadCache;
 use crate::context::{LitAt, ShadingContext};
 use crate::coverage::edge_distance;
 use crate::interpolate::{Batch, Fragments};
@@ -32,8 +32,14 @@ pub(super) fn study<N: Lanes>(
     let Shading { mode, interpolation, .. } = scene.shading;
     if mode == ShadingMode::Flat && interpolation == Interpolation::Perspective {
         let simd = found.weights[0].zero();
-        let of = (&batch.ids, seen);
-        found.attributes.light = cache.flat.of_lanes(simd, scene, of, &mut [0; LANES]);
+        simd.vectorized(
+            #[inline(always)]
+            || {
+                let of = (&batch.ids, seen);
+                found.attributes.light =
+                    cache.flat.of_lanes(simd.zero(), scene, of, &mut [0; LANES]);
+            },
+        );
         return;
     }
     for lane in lanes_of(seen) {
