@@ -3,7 +3,7 @@
 use luxel_math::{LANES, SUBPIXELS};
 use luxel_visibility::{BLOCK, BLOCKS, Samples, Tile, TriangleId};
 
-/// Sixteen samples of one tile. Rows of lanes are lines of the cache.
+/// Sixteen samples of one tile. Each row of lanes is a line of the cache.
 #[repr(C, align(64))]
 pub(crate) struct Batch {
     /// What each sample sees.

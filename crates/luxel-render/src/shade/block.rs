@@ -193,6 +193,7 @@ fn shade_places<N: Lanes, W: BlockWitness<N>>(
             let count = batches.len().min(BATCHES);
             let shadows = scene.shadows.filter(|_| scene.shading.mode == ShadingMode::Phong);
             let mut found = Fragments::nothing(simd);
+            // Taken by no batch: the first replaces them.
             let (mut material, mut point) =
                 (0, scene.point_lit_elsewhere(found.attributes.position));
             for (number, &(batch, seen)) in batches.iter().take(count).enumerate() {
@@ -258,21 +259,29 @@ fn see<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     witness: &mut W,
 ) -> (u32, SurfacePoint<N>) {
     let (simd, mut materials) = (found.weights[0].zero(), [0; LANES]);
+    let is_lit_here = is_lit_at_pixels::<NEEDS>(scene);
     let wanted = Wanted {
         position: NEEDS != needs::NORMALS && scene.needs_positions,
-        normal: NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong,
+        normal: is_lit_here,
         light: NEEDS != needs::NORMALS && scene.shading.mode == ShadingMode::Gouraud,
     };
     setup.begin_tile(batch.tile);
     let wanted = (seen, wanted);
     let material = found.interpolate::<NEEDS>(simd, scene, batch, setup, wanted, &mut materials);
-    let point = if NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong {
+    let point = if is_lit_here {
         point_of(simd, scene, batch, found)
     } else {
         point_heard::<N, W>(simd, scene, batch, found)
     };
     witness.fragments(scene, found, &materials, &point, seen);
     (material, point)
+}
+
+/// Whether light is computed at pixels.
+#[inline(always)]
+fn is_lit_at_pixels<const NEEDS: u8>(scene: &ShadingContext<'_>) -> bool {
+    // Known when this is compiled, where normals alone are needed.
+    NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong
 }
 
 /// The colour of a batch of one material.
@@ -289,7 +298,7 @@ fn light_up<N: Lanes, W: BlockWitness<N>, const NEEDS: u8>(
     let attributes = &found.attributes;
     let of = (material as usize, seen);
     witness.lanes(seen);
-    let mut color = if NEEDS == needs::NORMALS || scene.shading.mode == ShadingMode::Phong {
+    let mut color = if is_lit_at_pixels::<NEEDS>(scene) {
         lit::<N, W, NEEDS>(scene, attributes, point, of, occlusion, witness)
     } else {
         lit_elsewhere::<N, W, NEEDS>(scene, attributes, point, of.0, seen, witness)

@@ -31,10 +31,10 @@ impl<'a> WholeLanes<'a> {
         for lane in lanes_of(lanes) {
             let id = TriangleId(ids[lane]);
             let cluster = self.scene.frame.cluster(id);
-            if places.as_ref().is_none_or(|own| own.instance != cluster.instance()) {
-                places = Some(WholePlaces::of(self.scene, cluster.instance()));
-            }
-            let Some(own) = &places else { continue };
+            let own = match &places {
+                Some(own) if own.instance == cluster.instance() => own,
+                _ => &*places.insert(WholePlaces::of(self.scene, cluster.instance())),
+            };
             let (material, is_uniform) = material_of(self.scene, own.mesh, cluster.part());
             if is_uniform {
                 let place = own.place_seen(&cluster, id);
